@@ -1,0 +1,112 @@
+//! A cloud of finite points, stored as three coordinate columns.
+
+/// Finite points in world coordinates, one column per coordinate.
+///
+/// Lengths are in the cloud's own unit, whatever that is. A row with a coordinate that is not
+/// finite is never stored: [`push`](Self::push) counts it as skipped and remembers its index.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct PointCloud {
+    x: Vec<f64>,
+    y: Vec<f64>,
+    z: Vec<f64>,
+    skipped_rows: Vec<usize>,
+}
+
+impl PointCloud {
+    /// An empty cloud.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// An empty cloud with room for `capacity` points.
+    pub fn with_capacity(capacity: usize) -> Self {
+        Self {
+            x: Vec::with_capacity(capacity),
+            y: Vec::with_capacity(capacity),
+            z: Vec::with_capacity(capacity),
+            skipped_rows: Vec::new(),
+        }
+    }
+
+    /// A cloud of the given rows `[x, y, z]`; those that are not finite are skipped and counted.
+    pub fn from_rows(rows: impl IntoIterator<Item = [f64; 3]>) -> Self {
+        let rows = rows.into_iter();
+        let mut cloud = Self::with_capacity(rows.size_hint().0);
+        rows.for_each(|row| cloud.push(row));
+        cloud
+    }
+
+    /// Appends the next input row, or counts it as skipped if a coordinate is not finite.
+    #[inline]
+    pub fn push(&mut self, [x, y, z]: [f64; 3]) {
+        if x.is_finite() && y.is_finite() && z.is_finite() {
+            self.x.push(x);
+            self.y.push(y);
+            self.z.push(z);
+        } else {
+            self.skipped_rows.push(self.rows());
+        }
+    }
+
+    /// The number of points kept.
+    pub fn len(&self) -> usize {
+        self.x.len()
+    }
+
+    /// Whether no point was kept.
+    pub fn is_empty(&self) -> bool {
+        self.x.is_empty()
+    }
+
+    /// The number of input rows: points kept and rows skipped.
+    pub fn rows(&self) -> usize {
+        self.len() + self.skipped_rows.len()
+    }
+
+    /// Indices, ascending, of the input rows that were skipped because they were not finite.
+    pub fn skipped_rows(&self) -> &[usize] {
+        &self.skipped_rows
+    }
+
+    /// The point at `index`, counted among the points kept.
+    ///
+    /// # Panics
+    /// If `index >= self.len()`.
+    pub fn point(&self, index: usize) -> [f64; 3] {
+        [self.x[index], self.y[index], self.z[index]]
+    }
+
+    /// The points kept, in order.
+    pub fn points(&self) -> impl ExactSizeIterator<Item = [f64; 3]> + Clone + '_ {
+        (0..self.len()).map(|index| self.point(index))
+    }
+
+    /// The x, y and z columns, each of length [`len`](Self::len).
+    pub fn columns(&self) -> [&[f64]; 3] {
+        [&self.x, &self.y, &self.z]
+    }
+}
+
+impl FromIterator<[f64; 3]> for PointCloud {
+    fn from_iter<I: IntoIterator<Item = [f64; 3]>>(rows: I) -> Self {
+        Self::from_rows(rows)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_that_are_not_finite_are_skipped_and_their_indices_kept() {
+        let cloud = PointCloud::from_rows([
+            [1.0, 2.0, 3.0],
+            [f64::NAN, 0.0, 0.0],
+            [0.0, f64::INFINITY, 0.0],
+            [4.0, 5.0, 6.0],
+        ]);
+        assert_eq!(cloud.columns(), [&[1.0, 4.0], &[2.0, 5.0], &[3.0, 6.0]]);
+        assert_eq!(cloud.skipped_rows(), [1, 2]);
+        assert_eq!(cloud.rows(), 4);
+    }
+}

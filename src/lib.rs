@@ -1,0 +1,3 @@
+//! Superquadrics: recovery from range points, and their geometry.
+
+pub mod cloud;
