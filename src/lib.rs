@@ -1,3 +1,9 @@
 //! Superquadrics: recovery from range points, and their geometry.
 
 pub mod cloud;
+pub mod error;
+pub mod math;
+pub mod model;
+pub mod pose;
+pub mod recover;
+pub mod shape;

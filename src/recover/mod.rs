@@ -1,0 +1,3 @@
+//! Recovery of a shape from points.
+
+mod radial;

@@ -1,0 +1,99 @@
+//! The gauge of a superellipsoid, `H = F^(e1/2)`, and its logarithmic derivatives.
+//!
+//! The inside-outside function F (JLS Eq. 2.16) overflows and cancels; its power H is
+//! homogeneous of degree one, and needs only ratios of coordinates raised to powers, all of
+//! them at most one. With `p(u, v; e) = max (1 + (min/max)^(2/e))^(e/2)`,
+//! `H(x) = p(p(|x|/a1, |y|/a2; e2), |z|/a3; e1)`.
+
+/// Smallest `|x_i| / a_i` that is told from zero: its square is still far from underflow.
+const TINY: f64 = 1e-100;
+
+/// Lowest logarithm of a ratio's power that is kept: `exp` of it is normal, and vanishes
+/// beside one.
+const LOG_FLOOR: f64 = -690.0;
+
+/// The norm `p(u, v; e) = (u^(2/e) + v^(2/e))^(e/2)` of two magnitudes, without overflow.
+///
+/// Domain: `u, v >= 0`; `e >= 0`, where `e = 0` is the limit `max(u, v)`.
+pub(crate) fn superellipse_norm(u: f64, v: f64, e: f64) -> f64 {
+    let (greatest, least) = if u >= v { (u, v) } else { (v, u) };
+    if least == 0.0 || e == 0.0 {
+        return greatest;
+    }
+    let power = (2.0 / e * (least / greatest).ln()).exp();
+    greatest * (0.5 * e * power.ln_1p()).exp()
+}
+
+/// The gauge at a point, and what its derivatives are made of.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct GaugeTerms {
+    /// Magnitudes of the coordinates, none below a tiny share of its semi-axis.
+    pub magnitudes: [f64; 3],
+    /// `1 / H`: the factor that moves the point onto the surface along its ray (JLS Eq. 2.42).
+    pub inverse: f64,
+    /// `d ln H / d ln |x_i|`: not negative, and their sum is one, H being homogeneous.
+    pub weights: [f64; 3],
+    /// `-2 d ln H / d e_k`, each in `[-ln 2, 0]` times -1.
+    pub exponent_slopes: [f64; 2],
+}
+
+impl GaugeTerms {
+    /// Evaluates the gauge at `x`, in the model's frame.
+    pub fn at(x: [f64; 3], size: &[f64; 3], [e1, e2]: &[f64; 2]) -> Self {
+        let magnitudes: [f64; 3] = std::array::from_fn(|i| x[i].abs().max(TINY * size[i]));
+        let [u, v, w]: [f64; 3] = std::array::from_fn(|i| magnitudes[i] / size[i]);
+        let (greatest, least) = if u >= v { (u, v) } else { (v, u) };
+
+        let equator = PowerSum::of_log_ratio((least / greatest).ln(), *e2);
+        // ln of the equatorial norm over the axial magnitude.
+        let log_ratio = (greatest / w).ln() + 0.5 * e2 * equator.log_sum;
+        let meridian = PowerSum::of_log_ratio(-log_ratio.abs(), *e1);
+
+        let (equatorial, axial) = if log_ratio >= 0.0 {
+            (meridian.share_greatest, meridian.share_least)
+        } else {
+            (meridian.share_least, meridian.share_greatest)
+        };
+        let (share_x, share_y) = if u >= v {
+            (equator.share_greatest, equator.share_least)
+        } else {
+            (equator.share_least, equator.share_greatest)
+        };
+        let log_norm = 0.5 * e1 * meridian.log_sum;
+        let inverse = if log_ratio >= 0.0 {
+            (-log_norm - 0.5 * e2 * equator.log_sum).exp() / greatest
+        } else {
+            (-log_norm).exp() / w
+        };
+        Self {
+            magnitudes,
+            inverse,
+            weights: [equatorial * share_x, equatorial * share_y, axial],
+            exponent_slopes: [meridian.entropy, equatorial * equator.entropy],
+        }
+    }
+}
+
+/// A sum `1 + t` of the powers `1` and `t = (least/greatest)^(2/e)`.
+struct PowerSum {
+    /// `ln(1 + t)`.
+    log_sum: f64,
+    /// `1 / (1 + t)`.
+    share_greatest: f64,
+    /// `t / (1 + t)`.
+    share_least: f64,
+    /// The Shannon entropy of the two shares, in `[0, ln 2]`.
+    entropy: f64,
+}
+
+impl PowerSum {
+    /// From `ln(least / greatest) <= 0`.
+    fn of_log_ratio(log_ratio: f64, e: f64) -> Self {
+        let log_power = (2.0 / e * log_ratio).max(LOG_FLOOR);
+        let power = log_power.exp();
+        let log_sum = power.ln_1p();
+        let share_greatest = 1.0 / (1.0 + power);
+        let share_least = power * share_greatest;
+        Self { log_sum, share_greatest, share_least, entropy: log_sum - share_least * log_power }
+    }
+}

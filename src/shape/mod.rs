@@ -1,0 +1,7 @@
+//! Shapes in their own frame, a file per family.
+
+mod gauge;
+mod superellipsoid;
+
+pub(crate) use gauge::GaugeTerms;
+pub use superellipsoid::Superellipsoid;
