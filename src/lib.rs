@@ -1,5 +1,6 @@
 //! Superquadrics: recovery from range points, and their geometry.
 
+pub(crate) mod canonical;
 pub mod cloud;
 pub mod error;
 pub mod math;

@@ -1,3 +1,26 @@
-//! Recovery of a shape from points.
+//! Recovery of a shape from points of its surface.
+//!
+//! Read [`fit`] straight down: normalise, search on few points, finish on all, canonical form,
+//! doubts.
 
+mod chart;
+mod compressed;
+mod descent;
+mod doubt;
+mod error;
+mod fit;
+mod kernel;
+mod normalization;
+mod options;
 mod radial;
+mod result;
+mod search;
+mod start;
+mod subset;
+mod switches;
+mod uncertainty;
+
+pub use error::FitError;
+pub use fit::fit;
+pub use options::FitOptions;
+pub use result::{Doubt, Fit, Termination};

@@ -6,11 +6,11 @@
 //! `H(x) = p(p(|x|/a1, |y|/a2; e2), |z|/a3; e1)`.
 
 /// Smallest `|x_i| / a_i` that is told from zero: its square is still far from underflow.
-const TINY: f64 = 1e-100;
+pub(crate) const TINY: f64 = 1e-100;
 
 /// Lowest logarithm of a ratio's power that is kept: `exp` of it is normal, and vanishes
 /// beside one.
-const LOG_FLOOR: f64 = -690.0;
+pub(crate) const LOG_FLOOR: f64 = -690.0;
 
 /// The norm `p(u, v; e) = (u^(2/e) + v^(2/e))^(e/2)` of two magnitudes, without overflow.
 ///
@@ -33,7 +33,7 @@ pub(crate) struct GaugeTerms {
     pub inverse: f64,
     /// `d ln H / d ln |x_i|`: not negative, and their sum is one, H being homogeneous.
     pub weights: [f64; 3],
-    /// `-2 d ln H / d e_k`, each in `[-ln 2, 0]` times -1.
+    /// `2 d ln H / d e_k`, each in `[0, ln 2]`.
     pub exponent_slopes: [f64; 2],
 }
 

@@ -3,5 +3,5 @@
 mod gauge;
 mod superellipsoid;
 
-pub(crate) use gauge::GaugeTerms;
+pub(crate) use gauge::{GaugeTerms, LOG_FLOOR, TINY};
 pub use superellipsoid::Superellipsoid;

@@ -50,7 +50,12 @@ impl Superellipsoid {
 
     /// The same shape, `factor` times as large.
     pub(crate) fn scaled(&self, factor: f64) -> Self {
-        Self { size: self.size.map(|a| a * factor), ..*self }
+        self.with_size(self.size.map(|a| a * factor))
+    }
+
+    /// The same exponents on other semi-axes, known to be valid.
+    pub(crate) fn with_size(&self, size: [f64; 3]) -> Self {
+        Self { size, ..*self }
     }
 
     /// Surface point at latitude `eta` in [-pi/2, pi/2] and longitude `omega` in [-pi, pi)

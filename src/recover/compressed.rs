@@ -1,0 +1,139 @@
+//! The least-squares problem that the optimiser sees: twelve rows with the same `J'J`, `J'r`
+//! and `|r|` as the rows of all points.
+//!
+//! Levenberg-Marquardt needs no more than these. The twelve rows are the Cholesky factor R of
+//! `[r J]' [r J]`: as `R'R` is that matrix, the residual `|r|, 0, ..` and the remaining columns
+//! of R stand for it.
+
+use levenberg_marquardt::LeastSquaresProblem;
+use nalgebra::storage::Owned;
+use nalgebra::{Const, SMatrix, SVector};
+
+use super::chart::{Chart, Coordinates};
+use super::kernel::{COLUMNS, Gram};
+use super::radial::PARAMETERS;
+use crate::model::Model;
+
+/// A pivot that is a smaller share of its diagonal entry than this is rounding: its parameter
+/// is then not determined by the rows beyond those before it.
+const PIVOT_TOLERANCE: f64 = 1e-13;
+
+/// An evaluated point of parameter space.
+#[derive(Debug, Clone)]
+pub(crate) struct Evaluation {
+    pub coordinates: Coordinates,
+    /// The model there, and the Gram matrix of its rows by local parameters; none outside the
+    /// domain.
+    pub model_and_gram: Option<(Model, Gram)>,
+}
+
+impl Evaluation {
+    /// The sum of squared residuals; NaN outside the domain.
+    pub fn cost(&self) -> f64 {
+        self.model_and_gram.as_ref().map_or(f64::NAN, |(_, gram)| gram.residual_squares())
+    }
+}
+
+/// The problem around one model. `rows` gives the Gram matrix of a model's rows.
+pub(crate) struct CompressedProblem<R> {
+    chart: Chart,
+    rows: R,
+    current: Evaluation,
+    /// The evaluation of least cost so far.
+    best: Evaluation,
+    /// Passes over the points.
+    pub passes: usize,
+}
+
+impl<R: Fn(&Model) -> Gram> CompressedProblem<R> {
+    /// The problem, evaluated at the model it starts from.
+    pub fn around(start: &Model, rows: R) -> Self {
+        let (chart, coordinates) = Chart::around(start);
+        let start = Evaluation { coordinates, model_and_gram: None };
+        let mut problem = Self { chart, rows, current: start.clone(), best: start, passes: 0 };
+        problem.current = problem.evaluate(&coordinates);
+        problem.best = problem.current.clone();
+        problem
+    }
+
+    /// The evaluation of least cost.
+    pub fn into_best(self) -> Evaluation {
+        self.best
+    }
+
+    fn evaluate(&mut self, coordinates: &Coordinates) -> Evaluation {
+        let model = self.chart.model(coordinates);
+        self.passes += usize::from(model.is_some());
+        let model_and_gram = model.map(|model| (model, (self.rows)(&model)));
+        Evaluation { coordinates: *coordinates, model_and_gram }
+    }
+}
+
+impl<R: Fn(&Model) -> Gram> LeastSquaresProblem<f64, Const<COLUMNS>, Const<PARAMETERS>>
+    for CompressedProblem<R>
+{
+    type ResidualStorage = Owned<f64, Const<COLUMNS>>;
+    type JacobianStorage = Owned<f64, Const<COLUMNS>, Const<PARAMETERS>>;
+    type ParameterStorage = Owned<f64, Const<PARAMETERS>>;
+
+    fn set_params(&mut self, coordinates: &Coordinates) {
+        // The optimiser returns to the best point when a step was refused at the very end.
+        if *coordinates == self.best.coordinates {
+            self.current = self.best.clone();
+            return;
+        }
+        self.current = self.evaluate(coordinates);
+        if self.current.cost() < self.best.cost() {
+            self.best = self.current.clone();
+        }
+    }
+
+    fn params(&self) -> Coordinates {
+        self.current.coordinates
+    }
+
+    /// `[|r|, 0, ..]`; NaN outside the domain, which makes the optimiser refuse the step (an
+    /// answer of `None` would end it there).
+    fn residuals(&self) -> Option<SVector<f64, COLUMNS>> {
+        let mut residuals = SVector::zeros();
+        residuals[0] = self.current.cost().sqrt();
+        Some(residuals)
+    }
+
+    fn jacobian(&self) -> Option<SMatrix<f64, COLUMNS, PARAMETERS>> {
+        let (model, gram) = self.current.model_and_gram.as_ref()?;
+        let local =
+            self.chart.local_from_coordinates(&self.current.coordinates, model.pose.rotation());
+        Some(factor(&pulled_back(gram, &local)).fixed_columns::<PARAMETERS>(1).into_owned())
+    }
+}
+
+/// The Gram matrix of the rows by other parameters: `diag(1, T)' G diag(1, T)`, all entries.
+fn pulled_back(
+    gram: &Gram,
+    local_from_coordinates: &SMatrix<f64, PARAMETERS, PARAMETERS>,
+) -> SMatrix<f64, COLUMNS, COLUMNS> {
+    let full = SMatrix::<f64, COLUMNS, COLUMNS>::from_fn(|i, j| gram.0[i.min(j)][i.max(j)]);
+    let mut transform = SMatrix::<f64, COLUMNS, COLUMNS>::identity();
+    transform.fixed_view_mut::<PARAMETERS, PARAMETERS>(1, 1).copy_from(local_from_coordinates);
+    transform.transpose() * full * transform
+}
+
+/// Upper triangular R with `R'R` equal to a positive semidefinite matrix; the rows of
+/// parameters that are not determined are zero.
+fn factor(matrix: &SMatrix<f64, COLUMNS, COLUMNS>) -> SMatrix<f64, COLUMNS, COLUMNS> {
+    let mut r = SMatrix::<f64, COLUMNS, COLUMNS>::zeros();
+    for i in 0..COLUMNS {
+        let above: f64 = (0..i).map(|k| r[(k, i)] * r[(k, i)]).sum();
+        let pivot = matrix[(i, i)] - above;
+        if pivot <= PIVOT_TOLERANCE * matrix[(i, i)] {
+            continue;
+        }
+        r[(i, i)] = pivot.sqrt();
+        for j in i + 1..COLUMNS {
+            let products: f64 = (0..i).map(|k| r[(k, i)] * r[(k, j)]).sum();
+            r[(i, j)] = (matrix[(i, j)] - products) / r[(i, i)];
+        }
+    }
+    r
+}

@@ -1,0 +1,78 @@
+//! One run of Levenberg-Marquardt from one model, on one set of points.
+
+use levenberg_marquardt::LevenbergMarquardt;
+
+use super::compressed::CompressedProblem;
+use super::kernel::{Gram, ModelView, PointColumns, gram};
+use super::normalization::Normalization;
+use super::result::Termination;
+use crate::model::Model;
+
+/// The points that a run looks at, and how they are normalised.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct PointSet<'a> {
+    pub points: PointColumns<'a>,
+    pub normalization: &'a Normalization,
+    /// Whether passes over the points are shared among threads.
+    pub parallel: bool,
+}
+
+impl PointSet<'_> {
+    /// The number of points.
+    pub fn len(&self) -> usize {
+        self.points[0].len()
+    }
+
+    /// The Gram matrix of the rows of a model (normalised coordinates).
+    pub fn gram(&self, model: &Model) -> Gram {
+        gram(&ModelView::new(self.normalization, model), self.points, self.parallel)
+    }
+}
+
+/// How far a run goes.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Effort {
+    /// Relative change of the cost at which it ends.
+    pub tolerance: f64,
+    /// Evaluations, in units of twelve, after which it ends.
+    pub patience: usize,
+    /// The first step's bound, as a share of the coordinates' norm.
+    pub step_bound: f64,
+}
+
+/// Where a run has led.
+#[derive(Debug, Clone)]
+pub(crate) struct Descent {
+    /// The model of least cost that was met, in normalised coordinates.
+    pub model: Model,
+    /// The Gram matrix of its rows.
+    pub gram: Gram,
+    /// Mean squared residual, in normalised units.
+    pub mean_square: f64,
+    /// Passes over the points.
+    pub passes: usize,
+    /// Why the run ended.
+    pub termination: Termination,
+}
+
+/// Minimises the radial distances from a start. None if the start itself is out of bounds.
+pub(crate) fn descend(points: &PointSet, start: &Model, effort: &Effort) -> Option<Descent> {
+    let problem = CompressedProblem::around(start, |model: &Model| points.gram(model));
+    let (problem, report) = LevenbergMarquardt::new()
+        .with_ftol(effort.tolerance)
+        .with_xtol(effort.tolerance)
+        .with_gtol(f64::EPSILON)
+        .with_stepbound(effort.step_bound)
+        .with_scale_diag(false)
+        .with_patience(effort.patience)
+        .minimize(problem);
+    let passes = problem.passes;
+    let (model, gram) = problem.into_best().model_and_gram?;
+    Some(Descent {
+        model,
+        gram,
+        mean_square: gram.residual_squares() / points.len() as f64,
+        passes,
+        termination: report.termination.into(),
+    })
+}

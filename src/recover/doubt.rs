@@ -1,0 +1,65 @@
+//! Whether a cloud can be fitted, and whether to believe what was fitted to it.
+
+use super::descent::Descent;
+use super::error::FitError;
+use super::normalization::Moments;
+use super::result::Doubt;
+use super::uncertainty::size_errors;
+use crate::canonical::axis_order;
+
+/// A spread of fewer steps of the coordinates' rounding than this is no shape.
+const LEAST_RESOLVED: f64 = 16.0;
+
+/// Deviation across a line or plane, relative to that along it, that counts as none. A needle
+/// or plate of 1:1000 has a hundred times as much.
+const FLATNESS: f64 = 1e-5;
+
+/// Greatest residual RMS, relative to the mean semi-axis, of points that are a superellipsoid's:
+/// 5 % of isotropic noise leaves less than half of it.
+const GREATEST_RELATIVE_RMS: f64 = 0.15;
+
+/// Greatest relative standard error of a semi-axis that counts as known.
+const GREATEST_SIZE_ERROR: f64 = 0.1;
+
+/// Refuses clouds without an extent in at least two dimensions.
+pub(crate) fn require_extent(moments: &Moments) -> Result<(), FitError> {
+    let spread = moments.normalization.radius;
+    if !(spread * spread).is_normal() {
+        return Err(FitError::OutOfRange { spread });
+    }
+    if moments.deviations[0] == 0.0 || LEAST_RESOLVED * moments.resolution >= 1.0 {
+        return Err(FitError::Coincident { magnitude: moments.greatest_magnitude });
+    }
+    if moments.deviations[1] <= flatness(moments) {
+        return Err(FitError::Collinear);
+    }
+    Ok(())
+}
+
+/// The deviation that counts as none in a cloud.
+fn flatness(moments: &Moments) -> f64 {
+    FLATNESS * moments.deviations[0] + LEAST_RESOLVED * moments.resolution
+}
+
+/// The reasons not to trust where a fit has ended.
+pub(crate) fn doubts(descent: &Descent, moments: &Moments, points: usize) -> Vec<Doubt> {
+    let mut doubts = Vec::new();
+    if !descent.termination.at_minimum {
+        doubts.push(Doubt::NotConverged(descent.termination));
+    }
+    let relative_rms = descent.mean_square.sqrt() / descent.model.shape.mean_semi_axis();
+    if relative_rms > GREATEST_RELATIVE_RMS {
+        doubts.push(Doubt::PoorFit { relative_rms });
+    }
+    if moments.deviations[2] <= flatness(moments) {
+        doubts.push(Doubt::Flat);
+    }
+    let errors = size_errors(descent, points, moments.resolution);
+    for (axis, place) in axis_order(&descent.model.shape).into_iter().enumerate() {
+        let relative_error = errors[place];
+        if relative_error > GREATEST_SIZE_ERROR {
+            doubts.push(Doubt::UncertainSize { axis, relative_error });
+        }
+    }
+    doubts
+}

@@ -1,0 +1,97 @@
+//! The fit, from a cloud to a model, stage by stage.
+
+use rayon::ThreadPoolBuilder;
+
+use super::descent::{Effort, PointSet, descend};
+use super::doubt::{doubts, require_extent};
+use super::error::FitError;
+use super::normalization::Moments;
+use super::options::FitOptions;
+use super::radial::PARAMETERS;
+use super::result::Fit;
+use super::search::Search;
+use super::subset::Subset;
+use crate::cloud::PointCloud;
+
+/// Points that the coarse descents look at.
+const COARSE_POINTS: usize = 384;
+
+/// Points on which the best few are told apart.
+const MEDIUM_POINTS: usize = 10_000;
+
+/// Points from which on a pass is worth sharing among threads.
+const PARALLEL_POINTS: usize = 16_384;
+
+/// To tell the finalists apart, and to leave little to do on all points.
+const MEDIUM: Effort = Effort { tolerance: 1e-6, patience: 5, step_bound: 1.0 };
+
+/// To the end.
+const FINISH: Effort = Effort { tolerance: 1e-8, patience: 16, step_bound: 1.0 };
+
+/// Recovers a superellipsoid in general position from the points of its surface: the model that
+/// minimises the sum of squared radial Euclidean distances (JLS Eq. 2.43).
+///
+/// # Errors
+/// If the points are fewer than the parameters, coincide, lie on one line, or have coordinates
+/// that cannot be squared. A fit that was found but deserves no trust is no error:
+/// see [`Fit::doubts`].
+pub fn fit(cloud: &PointCloud, options: &FitOptions) -> Result<Fit, FitError> {
+    match options.threads.map(usize::from) {
+        None => fit_in_pool(cloud, options, cloud.len() >= PARALLEL_POINTS),
+        Some(1) => fit_in_pool(cloud, options, false),
+        Some(threads) => ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .map_err(|error| FitError::Threads { threads, reason: error.to_string() })?
+            .install(|| fit_in_pool(cloud, options, cloud.len() >= PARALLEL_POINTS)),
+    }
+}
+
+fn fit_in_pool(cloud: &PointCloud, options: &FitOptions, parallel: bool) -> Result<Fit, FitError> {
+    let moments = normalize(cloud)?;
+    let all = PointSet { points: cloud.columns(), normalization: &moments.normalization, parallel };
+    let search = search(&all, &moments, options.seed);
+    let (starts, mut passes) = (search.starts, search.passes);
+    let mut best = search.into_best().ok_or(FitError::Unbounded)?;
+    if all.len() > MEDIUM_POINTS {
+        best = descend(&all, &best.model, &FINISH).unwrap_or(best);
+        passes += best.passes;
+    }
+
+    let in_cloud = moments.normalization.cloud_from_normalized(&best.model);
+    Ok(Fit {
+        model: in_cloud.canonical(),
+        termination: best.termination,
+        doubts: doubts(&best, &moments, cloud.len()),
+        rms_radial: best.mean_square.sqrt() * moments.normalization.radius,
+        points: cloud.len(),
+        points_skipped: cloud.skipped_rows().len(),
+        evaluations: passes,
+        starts,
+        seed: options.seed,
+    })
+}
+
+/// Centroid and spread of a cloud that can be fitted at all.
+fn normalize(cloud: &PointCloud) -> Result<Moments, FitError> {
+    if cloud.len() < PARAMETERS {
+        return Err(FitError::TooFewPoints { found: cloud.len(), needed: PARAMETERS });
+    }
+    let moments = Moments::of(cloud.columns());
+    require_extent(&moments)?;
+    Ok(moments)
+}
+
+/// The search on a part of the points; on all of them, and to the end, where they are few.
+fn search(all: &PointSet, moments: &Moments, seed: u64) -> Search {
+    let few = Subset::stratified(all.points, COARSE_POINTS, seed);
+    let few = PointSet { points: few.columns(), parallel: false, ..*all };
+    let mut search = Search::coarse(&few, moments);
+    if all.len() <= MEDIUM_POINTS {
+        search.refine(all, &FINISH);
+    } else {
+        let some = Subset::stratified(all.points, MEDIUM_POINTS, seed);
+        search.refine(&PointSet { points: some.columns(), parallel: false, ..*all }, &MEDIUM);
+    }
+    search
+}

@@ -1,0 +1,44 @@
+//! Constants of one pass: how the points reach the model's frame, and the model's parameters.
+
+use crate::model::Model;
+use crate::recover::normalization::Normalization;
+
+/// Everything that the rows of a pass share.
+#[derive(Debug, Clone)]
+pub(crate) struct ModelView {
+    /// From the cloud's coordinates to normalised ones.
+    pub(super) normalization: Normalization,
+    /// The model's centre, in normalised coordinates.
+    pub(super) translation: [f64; 3],
+    /// The model's axes, in normalised coordinates.
+    pub(super) axes: [[f64; 3]; 3],
+    pub(super) size: [f64; 3],
+    pub(super) inverse_size: [f64; 3],
+    pub(super) exponents: [f64; 2],
+}
+
+impl ModelView {
+    /// The view of a model given in normalised coordinates.
+    pub fn new(normalization: &Normalization, model: &Model) -> Self {
+        let rotation = model.pose.rotation().matrix();
+        let size = model.shape.size();
+        Self {
+            normalization: *normalization,
+            translation: (*model.pose.translation()).into(),
+            axes: std::array::from_fn(|k| rotation.column(k).into_owned().into()),
+            size,
+            inverse_size: size.map(f64::recip),
+            exponents: model.shape.exponents(),
+        }
+    }
+
+    /// A point of the cloud, in the model's frame (normalised unit).
+    #[inline(always)]
+    pub(super) fn model_from_cloud(&self, point: [f64; 3]) -> [f64; 3] {
+        let Normalization { centroid, inverse_radius, .. } = self.normalization;
+        let [x, y, z]: [f64; 3] = std::array::from_fn(|i| {
+            (point[i] - centroid[i]) * inverse_radius - self.translation[i]
+        });
+        self.axes.map(|axis| axis[0] * x + axis[1] * y + axis[2] * z)
+    }
+}

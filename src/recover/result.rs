@@ -1,0 +1,131 @@
+//! What a fit has found, and whether to believe it.
+
+use std::fmt;
+
+use levenberg_marquardt::TerminationReason;
+
+use crate::model::Model;
+
+/// A recovered model with the evidence for it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fit {
+    /// The model, in the cloud's coordinates and in canonical form.
+    pub model: Model,
+    /// How the last descent ended.
+    pub termination: Termination,
+    /// Reasons not to trust the model; none if it can be trusted.
+    pub doubts: Vec<Doubt>,
+    /// Root mean square of the radial Euclidean distances (JLS Eq. 2.43), in the cloud's unit.
+    pub rms_radial: f64,
+    /// Points fitted.
+    pub points: usize,
+    /// Rows of the cloud that were skipped because they were not finite.
+    pub points_skipped: usize,
+    /// Evaluations of residuals and derivatives, over all stages and point sets.
+    pub evaluations: usize,
+    /// Models that a descent was started from.
+    pub starts: usize,
+    /// The seed of the choice of points for the coarse stages.
+    pub seed: u64,
+}
+
+impl Fit {
+    /// Whether there is no reason to doubt the model.
+    pub fn is_trusted(&self) -> bool {
+        self.doubts.is_empty()
+    }
+
+    /// Residual RMS as a share of the mean semi-axis.
+    pub fn relative_rms(&self) -> f64 {
+        self.rms_radial / self.model.shape.mean_semi_axis()
+    }
+}
+
+/// How the last descent ended: the optimiser's own reason.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Termination {
+    /// Whether it ended at a minimum.
+    pub at_minimum: bool,
+    /// Why it ended: `cost_settled`, `step_settled`, `residuals_zero`, `gradient_zero`,
+    /// `arithmetic_exhausted`, `patience_lost` or `not_a_number`.
+    pub reason: &'static str,
+}
+
+impl From<TerminationReason> for Termination {
+    fn from(reason: TerminationReason) -> Self {
+        let (at_minimum, reason) = match reason {
+            TerminationReason::Converged { ftol: true, .. } => (true, "cost_settled"),
+            TerminationReason::Converged { .. } => (true, "step_settled"),
+            TerminationReason::ResidualsZero => (true, "residuals_zero"),
+            TerminationReason::Orthogonal => (true, "gradient_zero"),
+            // No step that the arithmetic can resolve leads further down.
+            TerminationReason::NoImprovementPossible(_) => (true, "arithmetic_exhausted"),
+            TerminationReason::LostPatience => (false, "patience_lost"),
+            _ => (false, "not_a_number"),
+        };
+        Self { at_minimum, reason }
+    }
+}
+
+impl Termination {
+    /// One word: `converged` at a minimum, else `stopped`.
+    pub fn status(&self) -> &'static str {
+        if self.at_minimum { "converged" } else { "stopped" }
+    }
+}
+
+/// A reason not to trust a fit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Doubt {
+    /// The optimiser ended before it reached a minimum.
+    NotConverged(Termination),
+    /// The points do not lie on the model: residual RMS as a share of the mean semi-axis.
+    PoorFit {
+        /// That share.
+        relative_rms: f64,
+    },
+    /// The points lie in one plane.
+    Flat,
+    /// The points do not determine a semi-axis.
+    UncertainSize {
+        /// Index of the semi-axis.
+        axis: usize,
+        /// Its relative standard error; near 1, it is not seen at all.
+        relative_error: f64,
+    },
+}
+
+impl Doubt {
+    /// A name for machines.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::NotConverged(_) => "not_converged",
+            Self::PoorFit { .. } => "poor_fit",
+            Self::Flat => "flat",
+            Self::UncertainSize { .. } => "uncertain_size",
+        }
+    }
+}
+
+impl fmt::Display for Doubt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotConverged(termination) => {
+                write!(f, "the descent ended before a minimum ({})", termination.reason)
+            }
+            Self::PoorFit { relative_rms } => write!(
+                f,
+                "the points are not those of one superellipsoid (residuals are {:.0} % of the \
+                 mean semi-axis)",
+                100.0 * relative_rms
+            ),
+            Self::Flat => write!(f, "the points lie in one plane"),
+            Self::UncertainSize { axis, relative_error } => write!(
+                f,
+                "the points do not determine semi-axis a{} (standard error {:.0} %)",
+                axis + 1,
+                100.0 * relative_error
+            ),
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! A part of the points, spread evenly over their order, for the coarse stages.
+
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+use super::kernel::PointColumns;
+
+/// Some points, as owned columns.
+#[derive(Debug, Clone)]
+pub(crate) struct Subset([Vec<f64>; 3]);
+
+impl Subset {
+    /// At most `count` points: one at random from each of as many equal runs of the points.
+    ///
+    /// Runs, and not a fixed stride, so that the rows of a depth map do not beat with it.
+    pub fn stratified(points: PointColumns, count: usize, seed: u64) -> Self {
+        let total = points[0].len();
+        if total <= count {
+            return Self(points.map(<[f64]>::to_vec));
+        }
+        let mut rng = ChaCha8Rng::seed_from_u64(seed);
+        let indices: Vec<usize> = (0..count)
+            .map(|run| rng.random_range(run * total / count..(run + 1) * total / count))
+            .collect();
+        Self(points.map(|column| indices.iter().map(|&i| column[i]).collect()))
+    }
+
+    /// The columns.
+    pub fn columns(&self) -> PointColumns<'_> {
+        [&self.0[0], &self.0[1], &self.0[2]]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn takes_one_point_of_each_run_and_the_same_for_the_same_seed() {
+        let column: Vec<f64> = (0..1003).map(f64::from).collect();
+        let points = [&column[..], &column[..], &column[..]];
+        let subset = Subset::stratified(points, 100, 7);
+        let [x, y, z] = subset.columns();
+        assert!((x.len(), x, x) == (100, y, z));
+        for (run, value) in x.iter().enumerate() {
+            let range = (run * 1003 / 100) as f64..((run + 1) * 1003 / 100) as f64;
+            assert!(range.contains(value));
+        }
+        assert_eq!(subset.columns(), Subset::stratified(points, 100, 7).columns());
+        assert_ne!(subset.columns(), Subset::stratified(points, 100, 8).columns());
+    }
+
+    #[test]
+    fn takes_all_points_where_there_are_no_more() {
+        let column = [1.0, 2.0, 3.0];
+        let subset = Subset::stratified([&column, &column, &column], 3, 0);
+        assert_eq!(subset.columns(), [&column, &column, &column]);
+    }
+}
