@@ -7,3 +7,4 @@ pub mod model;
 pub mod pose;
 pub mod recover;
 pub mod shape;
+pub mod surface;

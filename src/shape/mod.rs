@@ -3,5 +3,5 @@
 mod gauge;
 mod superellipsoid;
 
-pub(crate) use gauge::GaugeTerms;
+pub(crate) use gauge::{GaugeTerms, superellipse_norm};
 pub use superellipsoid::Superellipsoid;

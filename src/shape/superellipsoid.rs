@@ -53,6 +53,11 @@ impl Superellipsoid {
         Self { size: self.size.map(|a| a * factor), ..*self }
     }
 
+    /// The shape of the same exponents and other, positive semi-axes.
+    pub(crate) fn with_size(&self, size: [f64; 3]) -> Self {
+        Self { size, ..*self }
+    }
+
     /// Surface point at latitude `eta` in [-pi/2, pi/2] and longitude `omega` in [-pi, pi)
     /// (JLS Eq. 2.10).
     pub fn position(&self, eta: f64, omega: f64) -> Vector3<f64> {
