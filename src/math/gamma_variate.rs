@@ -53,7 +53,8 @@ mod tests {
         for k in [1.0, 1.025, 1.5, 2.0, 3.0] {
             let mut rng = ChaCha8Rng::seed_from_u64(1);
             let gamma = GammaVariate::new(k);
-            let deviations: Vec<f64> = (0..COUNT as u32).map(|_| gamma.draw(&mut rng) - k).collect();
+            let deviations: Vec<f64> =
+                (0..COUNT as u32).map(|_| gamma.draw(&mut rng) - k).collect();
             let moment = |p: i32| deviations.iter().map(|d| d.powi(p)).sum::<f64>() / COUNT;
             // Central moments k, k, 2k; five standard errors, from the moments
             // mu4 = 3k^2 + 6k and mu6 = 15k^3 + 130k^2 + 120k.

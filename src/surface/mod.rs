@@ -3,7 +3,9 @@
 mod grading;
 mod lattice;
 mod mesh;
+mod sample;
 mod tessellate;
 
 pub use mesh::Mesh;
+pub use sample::{sample_solid, sample_surface};
 pub use tessellate::{Resolution, ResolutionError, tessellate};
