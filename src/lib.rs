@@ -8,3 +8,4 @@ pub mod model;
 pub mod pose;
 pub mod recover;
 pub mod shape;
+pub mod surface;

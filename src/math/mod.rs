@@ -1,7 +1,9 @@
 //! Special functions and elementary helpers; no geometry.
 
 mod beta;
+mod gamma_variate;
 mod signed_power;
 
 pub use beta::beta;
+pub(crate) use gamma_variate::GammaVariate;
 pub use signed_power::signed_power;

@@ -3,5 +3,5 @@
 mod gauge;
 mod superellipsoid;
 
-pub(crate) use gauge::{GaugeTerms, LOG_FLOOR, TINY};
+pub(crate) use gauge::{GaugeTerms, LOG_FLOOR, TINY, superellipse_norm};
 pub use superellipsoid::Superellipsoid;

@@ -1,0 +1,109 @@
+//! Where along a face the lattice lines run, so that edges are resolved and flats are not.
+
+use std::f64::consts::FRAC_PI_4;
+
+use crate::shape::superellipse_norm;
+
+/// Steps of the table from which the lines are read off.
+const TABLE_STEPS: usize = 512;
+
+/// Most that lines may crowd together: triangles of the unit shape are no thinner than that.
+const GREATEST_CROWDING: f64 = 4.0;
+
+/// Positions in [-1, 1] of the `n + 1` lattice lines of a face, `n` even: symmetric, with lines
+/// at -1, 0 and 1.
+///
+/// Lines are equally far apart in the measure `min(ds + dtheta, 4 ds)` of arc length s and
+/// turning angle theta along the unit superellipses of `exponents`, added: equal angles for
+/// exponent 1, equal distances (Pilu and Fisher 1995) where the curve is
+/// straight, and closer where it turns.
+pub(super) fn lattice_lines(n: usize, exponents: &[f64]) -> Vec<f64> {
+    let measure = cumulative_measure(exponents);
+    let half = n / 2;
+    let outwards: Vec<f64> =
+        (0..=half).map(|i| inverse(&measure, i as f64 / half as f64)).collect();
+    let inwards = outwards.iter().skip(1).rev().map(|t| -t);
+    inwards.chain(outwards.iter().copied()).collect()
+}
+
+/// The measure from slope `t = y/x = 0` on, at equal steps of t up to the diagonal `t = 1`.
+fn cumulative_measure(exponents: &[f64]) -> Vec<f64> {
+    let mut measure = vec![0.0; TABLE_STEPS + 1];
+    for &e in exponents {
+        let (mut last, mut sum) = (OctantPoint::at(0.0, e), 0.0);
+        for (i, entry) in measure.iter_mut().enumerate().skip(1) {
+            let next = OctantPoint::at(i as f64 / TABLE_STEPS as f64, e);
+            let length = (next.x - last.x).hypot(next.y - last.y);
+            let turn = (next.normal_angle - last.normal_angle).abs();
+            sum += (length + turn).min(GREATEST_CROWDING * length);
+            *entry += sum;
+            last = next;
+        }
+    }
+    measure
+}
+
+/// The slope at which the table has reached `share` of its last entry.
+fn inverse(table: &[f64], share: f64) -> f64 {
+    let steps = table.len() - 1;
+    let wanted = share * table[steps];
+    let after = table.partition_point(|&entry| entry < wanted).clamp(1, steps);
+    let (low, high) = (table[after - 1], table[after]);
+    ((after - 1) as f64 + (wanted - low) / (high - low)) / steps as f64
+}
+
+/// A point of the unit superellipse `x^(2/e) + y^(2/e) = 1` between the x axis and the diagonal.
+struct OctantPoint {
+    x: f64,
+    y: f64,
+    /// Angle of the normal from the x axis.
+    normal_angle: f64,
+}
+
+impl OctantPoint {
+    /// The point of slope `t = y/x` in [0, 1]; its normal has slope `t^(2/e - 1)`.
+    fn at(t: f64, e: f64) -> Self {
+        let x = 1.0 / superellipse_norm(1.0, t, e);
+        let normal_angle = if e == 2.0 { FRAC_PI_4 } else { t.powf(2.0 / e - 1.0).atan() };
+        Self { x, y: t * x, normal_angle }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_of_a_circle_are_at_equal_angles() {
+        for (i, t) in lattice_lines(16, &[1.0]).iter().enumerate() {
+            let angle = (i as f64 / 8.0 - 1.0) * FRAC_PI_4;
+            // The table's chords fall short of arcs by (1/512)^2 / 24.
+            assert!((t - angle.tan()).abs() < 1e-6, "{i}");
+        }
+    }
+
+    #[test]
+    fn lines_of_straight_sides_are_equally_far_apart() {
+        for (i, t) in lattice_lines(8, &[2.0]).iter().enumerate() {
+            let along = i as f64 / 4.0 - 1.0;
+            // On |x| + |y| = 1, equal steps of y = t / (1 + t).
+            assert!((t / (1.0 + t.abs()) - 0.5 * along).abs() < 1e-6, "{i}: {t}");
+        }
+    }
+
+    #[test]
+    fn lines_ascend_symmetrically_and_crowd_at_most_fourfold() {
+        for e in [0.05, 0.1, 0.5, 1.0, 1.5, 1.9, 2.0] {
+            for e1 in [e, 1.0, 0.05] {
+                let lines = lattice_lines(32, &[e, e1]);
+                assert_eq!((lines[0], lines[16], lines[32]), (-1.0, 0.0, 1.0));
+                assert!((0..=16).all(|i| lines[i] == -lines[32 - i]));
+                let steps: Vec<f64> = lines.windows(2).map(|pair| pair[1] - pair[0]).collect();
+                let least = steps.iter().copied().fold(f64::INFINITY, f64::min);
+                let greatest = steps.iter().copied().fold(0.0, f64::max);
+                // Length per slope itself varies, at most fourfold: on |x| + |y| = 1.
+                assert!(least > 0.0 && greatest / least < 4.0 * 4.0, "{e} {e1}");
+            }
+        }
+    }
+}

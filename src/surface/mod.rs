@@ -1,0 +1,11 @@
+//! Surfaces as triangles and as points.
+
+mod grading;
+mod lattice;
+mod mesh;
+mod sample;
+mod tessellate;
+
+pub use mesh::Mesh;
+pub use sample::{sample_solid, sample_surface};
+pub use tessellate::{Resolution, ResolutionError, tessellate};

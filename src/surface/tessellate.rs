@@ -1,0 +1,103 @@
+//! A superellipsoid's surface as triangles, from a lattice on the surface of a cube.
+
+use nalgebra::Vector3;
+use thiserror::Error;
+
+use super::grading::lattice_lines;
+use super::lattice::CubeLattice;
+use super::mesh::Mesh;
+use crate::shape::{Superellipsoid, superellipse_norm};
+
+/// Number of segments along each edge of the cube whose lattice is laid on the surface.
+///
+/// It is even, so that vertices lie on the planes of symmetry; a mesh has `12 n^2` triangles
+/// and `6 n^2 + 2` vertices.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Resolution(usize);
+
+/// A number of segments that is no [`Resolution`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+#[error("the resolution must be an even number from 2 to {}, found {found}", Resolution::MAX)]
+pub struct ResolutionError {
+    /// The number found.
+    pub found: usize,
+}
+
+impl Resolution {
+    /// Greatest number of segments: 200 million triangles.
+    pub const MAX: usize = 4096;
+
+    /// A resolution of so many segments.
+    ///
+    /// # Errors
+    /// If the number is not even or not in 2..=4096.
+    pub fn new(segments: usize) -> Result<Self, ResolutionError> {
+        let is_valid = (2..=Self::MAX).contains(&segments) && segments.is_multiple_of(2);
+        if is_valid { Ok(Self(segments)) } else { Err(ResolutionError { found: segments }) }
+    }
+
+    /// The number of segments.
+    pub fn segments(self) -> usize {
+        self.0
+    }
+}
+
+impl Default for Resolution {
+    fn default() -> Self {
+        Self(32)
+    }
+}
+
+/// A closed mesh of the surface, in the model's frame, its vertices on the surface.
+///
+/// Lattice lines run along the edges `|z/a3| = h` (where `h^(2/e2) = |x/a1|^(2/e2) +
+/// |y/a2|^(2/e2)`) and `|x/a1| = |y/a2|`, at which small exponents bend the surface, and along
+/// the planes of symmetry, at which exponents near 2 do. Semi-axes stretch the mesh of the unit
+/// shape.
+pub fn tessellate(shape: &Superellipsoid, resolution: Resolution) -> Mesh {
+    let n = resolution.segments();
+    let [e1, e2] = shape.exponents();
+    let across = lattice_lines(n, &[e1, e2]);
+    let along = lattice_lines(n, &[e1]);
+    let lattice = CubeLattice::new(n);
+    let unit_shape = shape.with_size([1.0; 3]);
+    let unit: Vec<Vector3<f64>> = lattice
+        .points()
+        .map(|[i, j, k]| flattened_cube_point([across[i], across[j], along[k]], e2))
+        .map(|x| unit_shape.radial_projection(&x))
+        .collect();
+    let triangles = lattice
+        .squares()
+        .flat_map(|square| split(square.map(|corner| lattice.number(corner)), &unit))
+        .collect();
+    let size = Vector3::from(shape.size());
+    Mesh::new(unit.iter().map(|x| x.component_mul(&size)).collect(), triangles)
+}
+
+/// A point of the cube's surface, moved so that squares about the z axis become superellipses
+/// of exponent e2: edges of the cube become edges of the solid.
+fn flattened_cube_point([x, y, z]: [f64; 3], e2: f64) -> Vector3<f64> {
+    let side = x.abs().max(y.abs());
+    let shrink = if side == 0.0 { 1.0 } else { side / superellipse_norm(x.abs(), y.abs(), e2) };
+    Vector3::new(x * shrink, y * shrink, z)
+}
+
+/// Two triangles of a quadrilateral, cut along the diagonal that leaves the fatter ones.
+fn split([a, b, c, d]: [usize; 4], vertices: &[Vector3<f64>]) -> [[u32; 3]; 2] {
+    let fatness = |triangle: [usize; 3]| fatness(triangle.map(|i| vertices[i]));
+    let least_fatness = |[first, second]: [[usize; 3]; 2]| fatness(first).min(fatness(second));
+    let along_ac = [[a, b, c], [a, c, d]];
+    let along_bd = [[a, b, d], [b, c, d]];
+    let better =
+        if least_fatness(along_ac) >= least_fatness(along_bd) { along_ac } else { along_bd };
+    better.map(|triangle| triangle.map(|i| i as u32))
+}
+
+/// A triangle's area over the sum of its squared sides, up to a factor: 0 for a sliver.
+fn fatness([a, b, c]: [Vector3<f64>; 3]) -> f64 {
+    let sides = (b - a).norm_squared() + (c - b).norm_squared() + (a - c).norm_squared();
+    (b - a).cross(&(c - a)).norm() / sides
+}
+
+#[cfg(test)]
+mod tests;
