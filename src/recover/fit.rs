@@ -14,7 +14,7 @@ use super::subset::Subset;
 use crate::cloud::PointCloud;
 
 /// Points that the coarse descents look at.
-const COARSE_POINTS: usize = 384;
+const COARSE_POINTS: usize = 256;
 
 /// Points on which the best few are told apart.
 const MEDIUM_POINTS: usize = 10_000;

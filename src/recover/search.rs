@@ -16,6 +16,9 @@ const SWITCH_ROUNDS: usize = 4;
 /// Models taken on to more points.
 const FINALISTS: usize = 3;
 
+/// A model whose mean square is this many times the best one's is not taken on.
+const HOPELESS: f64 = 4.0;
+
 /// A brief descent: it must tell minima apart, not find them exactly.
 const BRIEF: Effort = Effort { tolerance: 1e-3, patience: 2, step_bound: 0.5 };
 
@@ -45,9 +48,14 @@ impl Search {
 
     /// Takes the best few on to other points: only these are kept.
     pub fn refine(&mut self, points: &PointSet, effort: &Effort) {
-        let finalists: Vec<Model> =
-            self.candidates.iter().take(FINALISTS).map(|descent| descent.model).collect();
-        self.candidates.clear();
+        let candidates = std::mem::take(&mut self.candidates);
+        let least = candidates.first().map_or(0.0, |best| best.mean_square);
+        let finalists: Vec<Model> = candidates
+            .iter()
+            .take(FINALISTS)
+            .filter(|candidate| candidate.mean_square <= HOPELESS * least)
+            .map(|candidate| candidate.model)
+            .collect();
         for model in &finalists {
             self.descend(points, model, effort);
         }
