@@ -118,7 +118,7 @@ fn files(rows: &Rows) -> Vec<(&'static str, Vec<u8>)> {
 /// Some rows of any finite numbers, and some of zeros.
 fn rows() -> impl Strategy<Value = Rows> {
     let number = prop::num::f64::NORMAL | prop::num::f64::SUBNORMAL | prop::num::f64::ZERO;
-    prop::collection::vec([number.clone(), number.clone(), number], 1..40).prop_map(|mut rows| {
+    prop::collection::vec([number, number, number], 1..40).prop_map(|mut rows| {
         rows.extend([[0.0; 3]; 20]);
         rows
     })

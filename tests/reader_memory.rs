@@ -38,7 +38,7 @@ fn peak_of(work: impl FnOnce()) -> usize {
     PEAK.load(Ordering::Relaxed) - before
 }
 
-const LIMIT: usize = 4 << 20;
+const LIMIT: usize = 8 << 20;
 
 const XYZ: &str = "property float x\nproperty float y\nproperty float z\nend_header\n";
 
@@ -74,6 +74,13 @@ fn lies() -> Vec<Vec<u8>> {
         }
         lies.push(format!("{count}\n1 2 3\n").into_bytes());
     }
+    // Headers that go on and on.
+    let property = |number| format!("property float p{number}\n");
+    let properties: String = (0..100_000).map(property).collect();
+    let long_names = format!("property float {}\n", "n".repeat(60_000)).repeat(100);
+    for lines in ["\n".repeat(10 << 20), "comment\n".repeat(1 << 20), properties, long_names] {
+        lies.push(format!("ply\nformat ascii 1.0\nelement vertex 1\n{lines}{XYZ}").into_bytes());
+    }
     let sizes = [40_u32, 2_147_483_640].map(u32::to_le_bytes).concat();
     let header = "VERSION .7\nFIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nPOINTS 89478485\n\
                   DATA binary_compressed\n";
@@ -87,7 +94,7 @@ fn lies_take_no_memory() {
     for bytes in lies() {
         std::fs::write(file.path(), &bytes).unwrap();
         let path = file.path();
-        let text = bytes.escape_ascii().to_string();
+        let text = bytes[..bytes.len().min(300)].escape_ascii().to_string();
         let peak = peak_of(|| assert!(read(path).is_err(), "{text}"));
         assert!(peak < LIMIT, "{peak} for {text}");
         let peak = peak_of(|| assert!(read_stream("-", &bytes[..]).is_err(), "{text}"));

@@ -2,7 +2,7 @@
 
 use std::io::{self, Read};
 
-use super::error::{Place, Problem};
+use super::error::{Place, Problem, excerpt};
 
 /// Size of the buffer: the longest line and the longest fixed-size row that can be read.
 pub(super) const CAPACITY: usize = 1 << 20;
@@ -188,7 +188,7 @@ impl<'r> Input<'r> {
             let bytes = self.fill(1)?;
             let found = bytes.len();
             if let Some(index) = bytes.iter().position(|byte| !is_padding(byte)) {
-                let rest = super::error::excerpt(&bytes[index..]);
+                let rest = excerpt(&bytes[index..]);
                 return Err(Problem::malformed(
                     Place::Byte(self.offset + index as u64),
                     "the end of the data, since all rows that the header declares are read",

@@ -13,7 +13,10 @@ use crate::cloud::number::tokens;
 const LINE_LIMIT: usize = 1 << 16;
 
 /// Bytes of the whole header, at most.
-const HEADER_LIMIT: u64 = 1 << 23;
+const HEADER_LIMIT: u64 = 1 << 21;
+
+/// Lines of the whole header, at most.
+const LINES_LIMIT: u64 = 1 << 13;
 
 /// Reads the header up to and including the text `end_header`; the caller ends the last line,
 /// since only the header tells where the data begin.
@@ -95,16 +98,17 @@ impl Cleaner {
             if is_last {
                 return Ok(true);
             }
-            if input.offset() - start > HEADER_LIMIT {
+            if input.offset() - start > HEADER_LIMIT || number > LINES_LIMIT {
                 return Err(Problem::malformed(
                     Place::Line(number),
-                    format!("a header of at most {HEADER_LIMIT} bytes"),
+                    format!("a header of at most {HEADER_LIMIT} bytes in {LINES_LIMIT} lines"),
                     "a longer one",
                 ));
             }
         }
     }
 
+    /// Adds one line without blanks around it to the clean text.
     fn push_line(&mut self, line: &[u8], number: u64) -> Result<(), Problem> {
         let keyword = tokens(line).next().unwrap_or_default();
         if matches!(keyword, b"" | b"comment" | b"obj_info") {
@@ -114,7 +118,7 @@ impl Cleaner {
         let malformed =
             |expected: &str| Problem::malformed(Place::Line(number), expected, excerpt(line));
         if line.len() > LINE_LIMIT {
-            return Err(malformed("a line of at most 65536 bytes"));
+            return Err(malformed(&format!("a line of at most {LINE_LIMIT} bytes")));
         }
         if let Some(control) = line.iter().find(|&&byte| byte.is_ascii_control() && byte != b'\t') {
             let expected = format!("text without the control character 0x{control:02x}");
@@ -127,12 +131,9 @@ impl Cleaner {
         if keyword == b"format" {
             self.format_line = number;
         }
-        let mut words = tokens(line)
-            .map(|word| match word.is_ascii() {
-                true => Some(String::from_utf8_lossy(word).into_owned()),
-                false => None,
-            })
-            .collect::<Vec<_>>();
+        let ascii =
+            |word: &[u8]| String::from_utf8(word.to_vec()).ok().filter(|word| word.is_ascii());
+        let mut words: Vec<Option<String>> = tokens(line).map(ascii).collect();
         let name = match (keyword, words.len()) {
             (b"element", 3) => Some(1),
             (b"property", 3..) => Some(words.len() - 1),
