@@ -1,5 +1,18 @@
 //! Point clouds: the structure-of-arrays container and, one file a format, its readers.
 
+mod error;
+mod input;
+mod npy;
+mod number;
+mod pcd;
+mod ply;
 mod point_cloud;
+mod read;
+mod records;
+mod scalar;
+mod text;
+mod text_rows;
 
+pub use error::{Place, Problem, ReadError};
 pub use point_cloud::PointCloud;
+pub use read::{read, read_stream};

@@ -36,6 +36,16 @@ impl PointCloud {
         cloud
     }
 
+    /// A cloud of the rows of three columns of one length; those that are not finite are skipped
+    /// and counted.
+    pub(super) fn from_columns([x, y, z]: [Vec<f64>; 3]) -> Self {
+        let is_finite = |column: &Vec<f64>| column.iter().all(|value| value.is_finite());
+        if [&x, &y, &z].into_iter().all(is_finite) {
+            return Self { x, y, z, skipped_rows: Vec::new() };
+        }
+        Self::from_rows(x.into_iter().zip(y).zip(z).map(|((x, y), z)| [x, y, z]))
+    }
+
     /// Appends the next input row, or counts it as skipped if a coordinate is not finite.
     #[inline]
     pub fn push(&mut self, [x, y, z]: [f64; 3]) {
@@ -108,5 +118,10 @@ mod tests {
         assert_eq!(cloud.columns(), [&[1.0, 4.0], &[2.0, 5.0], &[3.0, 6.0]]);
         assert_eq!(cloud.skipped_rows(), [1, 2]);
         assert_eq!(cloud.rows(), 4);
+        let [x, y, z] = cloud.columns().map(<[f64]>::to_vec);
+        assert_eq!(PointCloud::from_columns([x, y, z]).skipped_rows(), []);
+        let columns = [vec![1.0, f64::NAN, 0.0, 4.0], vec![2.0, 0.0, f64::INFINITY, 5.0]];
+        let [x, y] = columns;
+        assert_eq!(PointCloud::from_columns([x, y, vec![3.0, 0.0, 0.0, 6.0]]), cloud);
     }
 }
