@@ -17,8 +17,10 @@ pub(crate) type Coordinates = SVector<f64, PARAMETERS>;
 /// Bounds of both exponents: boxes are told from cubes of light, and shapes stay convex.
 pub(crate) const EXPONENT_BOUNDS: [f64; 2] = [0.05, 2.0];
 
-/// Greatest `|ln a|` in normalised units: beyond it a size says nothing about the points.
-const LOG_SIZE_BOUND: f64 = 9.3;
+/// Bounds of `ln a` in normalised units, e^-9.3 = 1e-4 and e^1.8 = 6: whatever is seen of an
+/// object, its semi-axes are not many times the RMS radius of the points, whereas the radial
+/// distance is content with a face of a giant.
+const LOG_SIZE_BOUNDS: [f64; 2] = [-9.3, 1.8];
 
 /// How near to its bound, as a sine, an exponent may start: at the bound itself it is stuck.
 const SINE_BOUND: f64 = 1.0 - 1e-6;
@@ -49,7 +51,8 @@ impl Chart {
     pub fn model(&self, coordinates: &Coordinates) -> Option<Model> {
         let log_size = coordinates.fixed_rows::<3>(0);
         // Written so that NaN is refused too.
-        let is_bounded = log_size.iter().all(|log| log.abs() <= LOG_SIZE_BOUND);
+        let [low, high] = LOG_SIZE_BOUNDS;
+        let is_bounded = log_size.iter().all(|&log| log >= low && log <= high);
         if !is_bounded {
             return None;
         }

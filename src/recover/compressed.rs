@@ -113,7 +113,7 @@ fn pulled_back(
     gram: &Gram,
     local_from_coordinates: &SMatrix<f64, PARAMETERS, PARAMETERS>,
 ) -> SMatrix<f64, COLUMNS, COLUMNS> {
-    let full = SMatrix::<f64, COLUMNS, COLUMNS>::from_fn(|i, j| gram.0[i.min(j)][i.max(j)]);
+    let full = SMatrix::<f64, COLUMNS, COLUMNS>::from_fn(|i, j| gram.matrix[i.min(j)][i.max(j)]);
     let mut transform = SMatrix::<f64, COLUMNS, COLUMNS>::identity();
     transform.fixed_view_mut::<PARAMETERS, PARAMETERS>(1, 1).copy_from(local_from_coordinates);
     transform.transpose() * full * transform

@@ -47,8 +47,12 @@ pub(crate) struct Descent {
     pub model: Model,
     /// The Gram matrix of its rows.
     pub gram: Gram,
-    /// Mean squared residual, in normalised units.
+    /// Mean squared radial distance, in normalised units: what was minimised.
     pub mean_square: f64,
+    /// Mean squared first-order geometric distance, in normalised units: by this descents are
+    /// ranked, since far from its own optimum the radial distance favours models much larger
+    /// than the cloud.
+    pub geometric_mean_square: f64,
     /// Passes over the points.
     pub passes: usize,
     /// Why the run ended.
@@ -72,6 +76,7 @@ pub(crate) fn descend(points: &PointSet, start: &Model, effort: &Effort) -> Opti
         model,
         gram,
         mean_square: gram.residual_squares() / points.len() as f64,
+        geometric_mean_square: gram.geometric_squares / points.len() as f64,
         passes,
         termination: report.termination.into(),
     })

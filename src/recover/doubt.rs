@@ -14,9 +14,9 @@ const LEAST_RESOLVED: f64 = 16.0;
 /// or plate of 1:1000 has a hundred times as much.
 const FLATNESS: f64 = 1e-5;
 
-/// Greatest residual RMS, relative to the mean semi-axis, of points that are a superellipsoid's:
-/// 5 % of isotropic noise leaves less than half of it.
-const GREATEST_RELATIVE_RMS: f64 = 0.15;
+/// Greatest RMS distance from the surface, relative to the least semi-axis, of points that are a
+/// superellipsoid's: 5 % of noise on an aspect of 1:4 reaches 0.15.
+const GREATEST_RELATIVE_RMS: f64 = 0.2;
 
 /// Greatest relative standard error of a semi-axis that counts as known.
 const GREATEST_SIZE_ERROR: f64 = 0.1;
@@ -47,7 +47,8 @@ pub(crate) fn doubts(descent: &Descent, moments: &Moments, points: usize) -> Vec
     if !descent.termination.at_minimum {
         doubts.push(Doubt::NotConverged(descent.termination));
     }
-    let relative_rms = descent.mean_square.sqrt() / descent.model.shape.mean_semi_axis();
+    let least_semi_axis = descent.model.shape.size().into_iter().fold(f64::INFINITY, f64::min);
+    let relative_rms = descent.geometric_mean_square.sqrt() / least_semi_axis;
     if relative_rms > GREATEST_RELATIVE_RMS {
         doubts.push(Doubt::PoorFit { relative_rms });
     }

@@ -64,6 +64,7 @@ fn fit_in_pool(cloud: &PointCloud, options: &FitOptions, parallel: bool) -> Resu
         termination: best.termination,
         doubts: doubts(&best, &moments, cloud.len()),
         rms_radial: best.mean_square.sqrt() * moments.normalization.radius,
+        rms_geometric: best.geometric_mean_square.sqrt() * moments.normalization.radius,
         points: cloud.len(),
         points_skipped: cloud.skipped_rows().len(),
         evaluations: passes,

@@ -17,6 +17,10 @@ pub struct Fit {
     pub doubts: Vec<Doubt>,
     /// Root mean square of the radial Euclidean distances (JLS Eq. 2.43), in the cloud's unit.
     pub rms_radial: f64,
+    /// Root mean square of the first-order geometric distances `d / |grad d|`, in the cloud's
+    /// unit: nearly the distance from the surface, which the radial one exceeds where the
+    /// surface is oblique to its ray.
+    pub rms_geometric: f64,
     /// Points fitted.
     pub points: usize,
     /// Rows of the cloud that were skipped because they were not finite.
@@ -35,7 +39,7 @@ impl Fit {
         self.doubts.is_empty()
     }
 
-    /// Residual RMS as a share of the mean semi-axis.
+    /// Radial residual RMS as a share of the mean semi-axis.
     pub fn relative_rms(&self) -> f64 {
         self.rms_radial / self.model.shape.mean_semi_axis()
     }
@@ -79,9 +83,9 @@ impl Termination {
 pub enum Doubt {
     /// The optimiser ended before it reached a minimum.
     NotConverged(Termination),
-    /// The points do not lie on the model: residual RMS as a share of the mean semi-axis.
+    /// The points do not lie on the model, or are too noisy to tell its thickness.
     PoorFit {
-        /// That share.
+        /// RMS of the first-order geometric distances as a share of the least semi-axis.
         relative_rms: f64,
     },
     /// The points lie in one plane.
@@ -115,8 +119,8 @@ impl fmt::Display for Doubt {
             }
             Self::PoorFit { relative_rms } => write!(
                 f,
-                "the points are not those of one superellipsoid (residuals are {:.0} % of the \
-                 mean semi-axis)",
+                "the points do not lie on one superellipsoid (their distances from it are {:.0} % of \
+                 its least semi-axis)",
                 100.0 * relative_rms
             ),
             Self::Flat => write!(f, "the points lie in one plane"),

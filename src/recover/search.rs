@@ -49,11 +49,11 @@ impl Search {
     /// Takes the best few on to other points: only these are kept.
     pub fn refine(&mut self, points: &PointSet, effort: &Effort) {
         let candidates = std::mem::take(&mut self.candidates);
-        let least = candidates.first().map_or(0.0, |best| best.mean_square);
+        let least = candidates.first().map_or(0.0, |best| best.geometric_mean_square);
         let finalists: Vec<Model> = candidates
             .iter()
             .take(FINALISTS)
-            .filter(|candidate| candidate.mean_square <= HOPELESS * least)
+            .filter(|candidate| candidate.geometric_mean_square <= HOPELESS * least)
             .map(|candidate| candidate.model)
             .collect();
         for model in &finalists {
@@ -71,7 +71,7 @@ impl Search {
         for _ in 0..SWITCH_ROUNDS {
             let Some(best) = self.candidates.first().cloned() else { return };
             self.try_all(points, &switches(&best.model), &BRIEF);
-            if self.candidates[0].mean_square >= WORTHWHILE * best.mean_square {
+            if self.candidates[0].geometric_mean_square >= WORTHWHILE * best.geometric_mean_square {
                 return;
             }
         }
@@ -87,8 +87,9 @@ impl Search {
     fn descend(&mut self, points: &PointSet, start: &Model, effort: &Effort) {
         if let Some(descent) = descend(points, start, effort) {
             self.passes += descent.passes;
-            let place =
-                self.candidates.partition_point(|other| other.mean_square <= descent.mean_square);
+            let place = self.candidates.partition_point(|other| {
+                other.geometric_mean_square <= descent.geometric_mean_square
+            });
             self.candidates.insert(place, descent);
         }
     }

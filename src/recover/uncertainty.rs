@@ -18,7 +18,7 @@ pub(crate) fn size_errors(descent: &Descent, points: usize, resolution: f64) -> 
     }
     let variance = descent.gram.residual_squares() / freedom as f64;
     let variance = variance.max(resolution * resolution);
-    let entry = |i: usize, j: usize| descent.gram.0[1 + i.min(j)][1 + i.max(j)] / variance;
+    let entry = |i: usize, j: usize| descent.gram.matrix[1 + i.min(j)][1 + i.max(j)] / variance;
     let information = SMatrix::<f64, PARAMETERS, PARAMETERS>::from_fn(entry);
     let eigen = SymmetricEigen::new(information);
     std::array::from_fn(|axis| {

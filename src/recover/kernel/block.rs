@@ -4,7 +4,7 @@
 //! [`radial_row`]: crate::recover::radial::radial_row
 
 use super::elementary::{exp, ln, mul_add};
-use super::gram::{BLOCK, COLUMNS, Columns};
+use super::gram::{BLOCK, COLUMNS, Rows};
 use super::view::ModelView;
 use crate::shape::{LOG_FLOOR, TINY};
 
@@ -68,19 +68,20 @@ pub(super) fn write_rows<const FMA: bool>(
     view: &ModelView,
     points: [&[f64]; 3],
     scratch: &mut Scratch,
-    columns: &mut Columns,
+    rows: &mut Rows,
 ) {
     place(view, points, scratch);
     equatorial_powers::<FMA>(view, scratch);
     meridional_ratios::<FMA>(view, scratch);
     meridional_sides(view, scratch);
     meridional_powers::<FMA>(view, scratch);
-    assemble(view, scratch, columns);
+    assemble(view, scratch, rows);
     let count = points[0].len();
     if count < BLOCK {
-        for column in columns.iter_mut() {
+        for column in rows.columns.iter_mut() {
             column[count..].fill(0.0);
         }
+        rows.geometric_squares[count..].fill(0.0);
     }
 }
 
@@ -172,7 +173,7 @@ fn meridional_powers<const FMA: bool>(view: &ModelView, scratch: &mut Scratch) {
 
 /// The residual and its derivatives, from what the loops before have left.
 #[inline(always)]
-fn assemble(view: &ModelView, scratch: &Scratch, columns: &mut Columns) {
+fn assemble(view: &ModelView, scratch: &Scratch, rows: &mut Rows) {
     let [a, b, c] = view.size;
     let [ia, ib, _] = view.inverse_size;
     for i in 0..BLOCK {
@@ -203,8 +204,11 @@ fn assemble(view: &ModelView, scratch: &Scratch, columns: &mut Columns) {
         let ny = y * (stretch + surface * wy / (my * my));
         let nz = z * (stretch + surface * wz / (mz * mz));
 
+        let distance = radius - surface;
+        // The derivative along the ray is one, so the gradient is no shorter.
+        rows.geometric_squares[i] = distance * distance / (nx * nx + ny * ny + nz * nz);
         let row: [f64; COLUMNS] = [
-            radius - surface,
+            distance,
             -surface * wx,
             -surface * wy,
             -surface * wz,
@@ -217,7 +221,7 @@ fn assemble(view: &ModelView, scratch: &Scratch, columns: &mut Columns) {
             -ny,
             -nz,
         ];
-        for (column, value) in columns.iter_mut().zip(row) {
+        for (column, value) in rows.columns.iter_mut().zip(row) {
             column[i] = value;
         }
     }

@@ -5,7 +5,7 @@
 #![allow(unsafe_code)]
 
 use super::block::{Scratch, write_rows};
-use super::gram::{BLOCK, COLUMNS, Columns, Gram, PortableTile, TileProducts};
+use super::gram::{BLOCK, Gram, PortableTile, Rows, TileProducts};
 use super::view::ModelView;
 
 /// The Gram matrix over the points, by the best path that the processor has.
@@ -27,14 +27,14 @@ pub(super) fn gram_portable(view: &ModelView, points: [&[f64]; 3]) -> Gram {
 #[inline(always)]
 fn gram_blocks<P: TileProducts, const FMA: bool>(view: &ModelView, points: [&[f64]; 3]) -> Gram {
     let mut scratch = Scratch::new();
-    let mut columns: Columns = [[0.0; BLOCK]; COLUMNS];
+    let mut rows = Rows::new();
     let mut total = Gram::zero();
     let count = points[0].len();
     for start in (0..count).step_by(BLOCK) {
         let end = count.min(start + BLOCK);
         let block = points.map(|column| &column[start..end]);
-        write_rows::<FMA>(view, block, &mut scratch, &mut columns);
-        total.add_block::<P>(&columns);
+        write_rows::<FMA>(view, block, &mut scratch, &mut rows);
+        total.add_block::<P>(&rows);
     }
     total
 }
@@ -45,8 +45,8 @@ mod avx2 {
         __m256d, _mm256_fmadd_pd, _mm256_loadu_pd, _mm256_setzero_pd, _mm256_storeu_pd,
     };
 
-    use super::{BLOCK, Columns, Gram, ModelView, TileProducts, gram_blocks};
-    use crate::recover::kernel::gram::TILE;
+    use super::{BLOCK, Gram, ModelView, TileProducts, gram_blocks};
+    use crate::recover::kernel::gram::{Columns, TILE};
 
     const LANES: usize = 4;
 

@@ -1,5 +1,5 @@
-//! The Gram matrix of residual and Jacobian columns, `[r J]' [r J]`: all that
-//! Levenberg-Marquardt needs to know of the rows.
+//! What a pass sums up: the Gram matrix of residual and Jacobian columns, `[r J]' [r J]`, all
+//! that Levenberg-Marquardt needs to know of the rows; and the squared geometric distances.
 
 use crate::recover::radial::PARAMETERS;
 
@@ -9,49 +9,69 @@ pub(super) const BLOCK: usize = 128;
 /// Columns: the residual, then its derivatives.
 pub(crate) const COLUMNS: usize = PARAMETERS + 1;
 
-/// Block of rows, stored by column.
+/// A block of rows, stored by column.
+pub(super) struct Rows {
+    /// The residual and its derivatives.
+    pub columns: Columns,
+    /// The squared first-order geometric distance `d^2 / |grad d|^2`.
+    pub geometric_squares: [f64; BLOCK],
+}
+
 pub(super) type Columns = [[f64; BLOCK]; COLUMNS];
+
+impl Rows {
+    pub fn new() -> Self {
+        Self { columns: [[0.0; BLOCK]; COLUMNS], geometric_squares: [0.0; BLOCK] }
+    }
+}
 
 /// Columns in one side of a tile: nine sums, which fit the registers with their operands.
 pub(super) const TILE: usize = 3;
 
-/// `[r J]' [r J]` over some rows: symmetric, upper triangle in use.
+/// `[r J]' [r J]` over some rows, and what else is summed over them.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Gram(pub [[f64; COLUMNS]; COLUMNS]);
+pub(crate) struct Gram {
+    /// The matrix: symmetric, upper triangle in use.
+    pub matrix: [[f64; COLUMNS]; COLUMNS],
+    /// Sum of squared first-order geometric distances.
+    pub geometric_squares: f64,
+}
 
 impl Gram {
     /// That of no rows.
     pub fn zero() -> Self {
-        Self([[0.0; COLUMNS]; COLUMNS])
+        Self { matrix: [[0.0; COLUMNS]; COLUMNS], geometric_squares: 0.0 }
     }
 
     /// Adds the Gram matrix of other rows.
     pub fn add(&mut self, other: &Self) {
-        for (row, other_row) in self.0.iter_mut().zip(&other.0) {
+        for (row, other_row) in self.matrix.iter_mut().zip(&other.matrix) {
             for (entry, other_entry) in row.iter_mut().zip(other_row) {
                 *entry += other_entry;
             }
         }
+        self.geometric_squares += other.geometric_squares;
     }
 
     /// Sum of squared residuals.
     pub fn residual_squares(&self) -> f64 {
-        self.0[0][0]
+        self.matrix[0][0]
     }
 
     /// Adds the rows of a block, tile by tile.
     #[inline(always)]
-    pub(super) fn add_block<P: TileProducts>(&mut self, columns: &Columns) {
+    pub(super) fn add_block<P: TileProducts>(&mut self, rows: &Rows) {
         for row in (0..COLUMNS).step_by(TILE) {
             for column in (row..COLUMNS).step_by(TILE) {
-                let sums = P::products(columns, row, column);
+                let sums = P::products(&rows.columns, row, column);
                 for i in 0..TILE {
                     for j in 0..TILE {
-                        self.0[row + i][column + j] += sums[i][j];
+                        self.matrix[row + i][column + j] += sums[i][j];
                     }
                 }
             }
         }
+        self.geometric_squares += lane_sum(&rows.geometric_squares);
     }
 }
 
@@ -77,6 +97,19 @@ impl TileProducts for PortableTile {
         };
         std::array::from_fn(|i| std::array::from_fn(|j| product(i, j)))
     }
+}
+
+/// The sum of a column, in lanes that fill the widest registers.
+#[inline(always)]
+fn lane_sum(column: &[f64; BLOCK]) -> f64 {
+    const LANES: usize = 8;
+    let mut lanes = [0.0; LANES];
+    for values in column.as_chunks::<LANES>().0 {
+        for (lane, value) in lanes.iter_mut().zip(values) {
+            *lane += value;
+        }
+    }
+    lanes.iter().sum()
 }
 
 fn pairs(column: &[f64; BLOCK]) -> impl Iterator<Item = &[f64; 2]> {

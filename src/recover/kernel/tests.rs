@@ -31,6 +31,11 @@ fn scalar_row(view: &ModelView, point: [f64; 3]) -> [f64; COLUMNS] {
     columns
 }
 
+/// The squared distance over the squared gradient, of a scalar row.
+fn geometric_square(row: &[f64; COLUMNS]) -> f64 {
+    row[0] * row[0] / row[9..].iter().map(|n| n * n).sum::<f64>()
+}
+
 /// What the entries of a row are sums of: lengths, and for the normal and its moments the terms
 /// that cancel far inside a long shape.
 fn scales(row: &[f64; COLUMNS], point: [f64; 3]) -> [f64; COLUMNS] {
@@ -64,7 +69,7 @@ fn random_points(rng: &mut ChaCha8Rng, count: usize) -> Vec<[f64; 3]> {
 
 fn assert_rows_agree<const FMA: bool>(view: &ModelView, points: &[[f64; 3]]) {
     let mut scratch = block::Scratch::new();
-    let mut rows = [[0.0; gram::BLOCK]; COLUMNS];
+    let mut rows = gram::Rows::new();
     for block in points.chunks(gram::BLOCK) {
         let [x, y, z] = columns(block);
         block::write_rows::<FMA>(view, [&x, &y, &z], &mut scratch, &mut rows);
@@ -72,16 +77,17 @@ fn assert_rows_agree<const FMA: bool>(view: &ModelView, points: &[[f64; 3]]) {
             let expected = scalar_row(view, *point);
             let scales = scales(&expected, *point);
             for k in 0..COLUMNS {
-                let error = (rows[k][i] - expected[k]).abs();
+                let error = (rows.columns[k][i] - expected[k]).abs();
                 assert!(
                     error <= TOLERANCE * scales[k],
                     "column {k} at {point:?} of {view:?}: {} is not {}",
-                    rows[k][i],
+                    rows.columns[k][i],
                     expected[k]
                 );
             }
         }
-        assert!(rows.iter().all(|column| column[block.len()..].iter().all(|v| *v == 0.0)));
+        assert!(rows.columns.iter().all(|column| column[block.len()..].iter().all(|v| *v == 0.0)));
+        assert!(rows.geometric_squares[block.len()..].iter().all(|v| *v == 0.0));
     }
 }
 
@@ -112,11 +118,13 @@ fn every_path_sums_the_scalar_rows() {
         let scales: Vec<_> = rows.iter().zip(&points).map(|(row, p)| scales(row, *p)).collect();
         let slices = [&x[..count], &y[..count], &z[..count]];
         for actual in [dispatch::gram(&view, slices), dispatch::gram_portable(&view, slices)] {
+            let geometric: f64 = rows.iter().map(geometric_square).sum();
+            assert!((actual.geometric_squares - geometric).abs() <= TOLERANCE * geometric);
             for i in 0..COLUMNS {
                 for j in i..COLUMNS {
                     let expected: f64 = rows.iter().map(|row| row[i] * row[j]).sum();
                     let scale: f64 = scales.iter().map(|s| s[i] * s[j]).sum();
-                    let error = (actual.0[i][j] - expected).abs();
+                    let error = (actual.matrix[i][j] - expected).abs();
                     assert!(error <= TOLERANCE * scale, "[{i}][{j}] of {count}: {error}");
                 }
             }
