@@ -7,5 +7,6 @@ pub mod math;
 pub mod model;
 pub mod pose;
 pub mod recover;
+pub mod report;
 pub mod shape;
 pub mod surface;

@@ -1,0 +1,258 @@
+//! The JSON form of models and fits; its schema stands in `schema/fit-1.schema.json`.
+
+use nalgebra::{Matrix3, Vector3};
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use crate::error::ModelError;
+use crate::model::Model;
+use crate::pose::Pose;
+use crate::recover::Fit;
+use crate::shape::Superellipsoid;
+
+/// Name and version of the document of a fit.
+pub const FIT_SCHEMA: &str = "superquadric.fit/1";
+
+/// Greatest difference between a rotation matrix and the Euler angles beside it: both may have
+/// been written with eight digits.
+const AGREEMENT: f64 = 1e-6;
+
+/// Text that is not the document of a model.
+#[derive(Debug, Error)]
+pub enum DocumentError {
+    /// Not JSON, or without the keys or types of a model.
+    #[error("expected a model or a fit in JSON: {0}")]
+    Json(#[from] serde_json::Error),
+    /// A key of the model is missing or has the wrong type.
+    #[error("expected a model, {{\"shape\": {{..}}, \"pose\": {{..}}}}: {0}")]
+    Model(serde_json::Error),
+    /// A fit of a schema that this version does not know.
+    #[error("expected schema \"superquadric.fit/1\", found {0}")]
+    Schema(String),
+    /// A family that this version does not know.
+    #[error("expected shape.family \"superellipsoid\", found \"{0}\"")]
+    Family(String),
+    /// Parameters outside their domain.
+    #[error(transparent)]
+    Parameters(#[from] ModelError),
+    /// Euler angles and rotation matrix that contradict each other.
+    #[error("pose.euler_zyz and pose.rotation differ by {0:e}")]
+    Contradiction(f64),
+}
+
+/// A model: `{"shape": {..}, "pose": {..}}`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ModelDocument {
+    shape: ShapeDocument,
+    #[serde(default)]
+    pose: PoseDocument,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct ShapeDocument {
+    family: String,
+    size: [f64; 3],
+    exponents: [f64; 2],
+}
+
+/// Either form of the rotation will do; without both there is none.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+struct PoseDocument {
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    euler_zyz: Option<[f64; 3]>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    rotation: Option<[[f64; 3]; 3]>,
+    #[serde(default)]
+    translation: [f64; 3],
+}
+
+impl From<&Model> for ModelDocument {
+    fn from(model: &Model) -> Self {
+        let rotation = model.pose.rotation().matrix();
+        Self {
+            shape: ShapeDocument {
+                family: FAMILY.to_owned(),
+                size: model.shape.size(),
+                exponents: model.shape.exponents(),
+            },
+            pose: PoseDocument {
+                euler_zyz: Some(model.pose.euler_zyz()),
+                rotation: Some(std::array::from_fn(|i| std::array::from_fn(|j| rotation[(i, j)]))),
+                translation: (*model.pose.translation()).into(),
+            },
+        }
+    }
+}
+
+const FAMILY: &str = "superellipsoid";
+
+impl TryFrom<&ModelDocument> for Model {
+    type Error = DocumentError;
+
+    fn try_from(document: &ModelDocument) -> Result<Self, DocumentError> {
+        if document.shape.family != FAMILY {
+            return Err(DocumentError::Family(document.shape.family.clone()));
+        }
+        let shape = Superellipsoid::new(document.shape.size, document.shape.exponents)?;
+        Ok(Self { shape, pose: document.pose.to_pose()? })
+    }
+}
+
+impl PoseDocument {
+    fn to_pose(&self) -> Result<Pose, DocumentError> {
+        let translation = Vector3::from(self.translation);
+        let of_angles = self.euler_zyz.map(|angles| Pose::from_euler_zyz(angles, translation));
+        let Some(rows) = self.rotation else {
+            return Ok(of_angles.unwrap_or(Pose::new(Default::default(), translation)));
+        };
+        let matrix = Matrix3::from_fn(|i, j| rows[i][j]);
+        let pose = Pose::from_matrix(matrix, translation)?;
+        if let Some(of_angles) = of_angles {
+            let difference = (of_angles.rotation().matrix() - pose.rotation().matrix()).amax();
+            // Written so that NaN is refused too.
+            let agree = difference <= AGREEMENT;
+            if !agree {
+                return Err(DocumentError::Contradiction(difference));
+            }
+        }
+        Ok(pose)
+    }
+}
+
+/// The model in a JSON text: a bare one, or that of a fit.
+///
+/// # Errors
+/// If the text is not JSON, lacks a key, or has parameters outside their domain.
+pub fn model_from_json(text: &str) -> Result<Model, DocumentError> {
+    let value: serde_json::Value = serde_json::from_str(text)?;
+    if let Some(schema) = value.get("schema").filter(|schema| *schema != FIT_SCHEMA) {
+        return Err(DocumentError::Schema(schema.to_string()));
+    }
+    let model = value.get("model").unwrap_or(&value).clone();
+    let document: ModelDocument = serde_json::from_value(model).map_err(DocumentError::Model)?;
+    Model::try_from(&document)
+}
+
+/// A fit: `{"schema": "superquadric.fit/1", "model": {..}, "fit": {..}}`.
+#[derive(Debug, Clone, Serialize)]
+pub struct FitDocument {
+    schema: &'static str,
+    model: ModelDocument,
+    fit: EvidenceDocument,
+}
+
+#[derive(Debug, Clone, Serialize)]
+struct EvidenceDocument {
+    status: &'static str,
+    termination: &'static str,
+    trusted: bool,
+    doubts: Vec<DoubtDocument>,
+    rms_radial: f64,
+    rms_geometric: f64,
+    points: usize,
+    points_skipped: usize,
+    evaluations: usize,
+    starts: usize,
+    seed: u64,
+    seconds: f64,
+}
+
+#[derive(Debug, Clone, Serialize)]
+struct DoubtDocument {
+    kind: &'static str,
+    message: String,
+}
+
+impl FitDocument {
+    /// The document of a fit that took so many seconds.
+    pub fn new(fit: &Fit, seconds: f64) -> Self {
+        let doubts = fit.doubts.iter();
+        Self {
+            schema: FIT_SCHEMA,
+            model: ModelDocument::from(&fit.model),
+            fit: EvidenceDocument {
+                status: fit.termination.status(),
+                termination: fit.termination.reason,
+                trusted: fit.is_trusted(),
+                doubts: doubts
+                    .map(|doubt| DoubtDocument { kind: doubt.name(), message: doubt.to_string() })
+                    .collect(),
+                rms_radial: fit.rms_radial,
+                rms_geometric: fit.rms_geometric,
+                points: fit.points,
+                points_skipped: fit.points_skipped,
+                evaluations: fit.evaluations,
+                starts: fit.starts,
+                seed: fit.seed,
+                seconds,
+            },
+        }
+    }
+
+    /// Indented JSON with a final newline.
+    pub fn to_json(&self) -> String {
+        let json = serde_json::to_string_pretty(self);
+        // Maps with string keys and finite or null numbers always have a JSON form.
+        json.expect("a fit is representable in JSON") + "\n"
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn model() -> Model {
+        Model {
+            shape: Superellipsoid::new([1.0, 2.0, 3.0], [0.1, 1.9]).unwrap(),
+            pose: Pose::from_euler_zyz([0.1, 0.2, 0.3], Vector3::new(1e5, -2.0, 1e-7)),
+        }
+    }
+
+    fn json(model: &Model) -> serde_json::Value {
+        serde_json::to_value(ModelDocument::from(model)).unwrap()
+    }
+
+    #[test]
+    fn a_model_comes_back_from_its_document() {
+        let again = model_from_json(&json(&model()).to_string()).unwrap();
+        assert_eq!(again.shape, model().shape);
+        assert_eq!(again.pose.translation(), model().pose.translation());
+        let difference = again.pose.rotation().matrix() - model().pose.rotation().matrix();
+        assert!(difference.amax() < 1e-15);
+    }
+
+    #[test]
+    fn either_form_of_the_rotation_will_do_and_none_is_the_identity() {
+        for key in ["euler_zyz", "rotation"] {
+            let mut value = json(&model());
+            value["pose"].as_object_mut().unwrap().remove(key);
+            let again = model_from_json(&value.to_string()).unwrap();
+            let difference = again.pose.rotation().matrix() - model().pose.rotation().matrix();
+            assert!(difference.amax() < 1e-15);
+        }
+        let mut value = json(&model());
+        value.as_object_mut().unwrap().remove("pose");
+        assert_eq!(model_from_json(&value.to_string()).unwrap().pose, Pose::identity());
+    }
+
+    #[test]
+    fn what_is_wrong_is_named() {
+        let broken = |change: &dyn Fn(&mut serde_json::Value)| {
+            let mut value = json(&model());
+            change(&mut value);
+            model_from_json(&value.to_string()).unwrap_err().to_string()
+        };
+        let cases: [(String, &str); 7] = [
+            (model_from_json("{\n \"shape\": ").unwrap_err().to_string(), "line 2"),
+            (broken(&|v| v["shape"]["family"] = "cone".into()), "\"cone\""),
+            (broken(&|v| v["shape"]["size"][1] = (-2.0).into()), "size[1]"),
+            (broken(&|v| v["shape"]["exponents"] = 1.0.into()), "expected an array"),
+            (broken(&|v| v["pose"]["rotation"][0][0] = 2.0.into()), "orthonormal"),
+            (broken(&|v| v["pose"]["euler_zyz"][0] = 2.0.into()), "differ"),
+            (broken(&|v| v["schema"] = "superquadric.fit/9".into()), "superquadric.fit/9"),
+        ];
+        for (message, expected) in cases {
+            assert!(message.contains(expected), "{message:?} does not name {expected:?}");
+        }
+    }
+}

@@ -1,0 +1,7 @@
+//! Documents for machines (JSON) and tables for people.
+
+mod document;
+mod table;
+
+pub use document::{DocumentError, FIT_SCHEMA, FitDocument, ModelDocument, model_from_json};
+pub use table::{fit_table, model_table};

@@ -1,0 +1,110 @@
+//! Tables for a person at a terminal.
+
+use std::fmt::Write;
+
+use crate::model::Model;
+use crate::recover::Fit;
+
+/// Digits to which a person wants to read a parameter.
+const DIGITS: usize = 6;
+
+/// What a fit has found, in a few lines.
+pub fn fit_table(fit: &Fit, seconds: f64) -> String {
+    let mut table = parameters(&fit.model);
+    let percent = 100.0 * fit.relative_rms();
+    line(
+        &mut table,
+        "residual",
+        &format!(
+            "{} radial RMS ({percent:.2} % of the mean semi-axis), {} geometric",
+            number(fit.rms_radial),
+            number(fit.rms_geometric),
+        ),
+    );
+    line(&mut table, "points", &format!("{} used, {} skipped", fit.points, fit.points_skipped));
+    line(
+        &mut table,
+        "search",
+        &format!(
+            "{} starts, {} evaluations, {:.1} ms, {} ({})",
+            fit.starts,
+            fit.evaluations,
+            1e3 * seconds,
+            fit.termination.status(),
+            fit.termination.reason.replace('_', " "),
+        ),
+    );
+    if fit.is_trusted() {
+        line(&mut table, "verdict", "can be trusted");
+    }
+    for doubt in &fit.doubts {
+        line(&mut table, "verdict", &format!("not to be trusted: {doubt}"));
+    }
+    table
+}
+
+/// What is known of a model, in a few lines.
+pub fn model_table(model: &Model) -> String {
+    let mut table = parameters(model);
+    let [min, max] = model.bounding_box();
+    line(&mut table, "extents", &vector(&model.shape.size().map(|a| 2.0 * a)));
+    line(&mut table, "volume", &number(model.shape.volume()));
+    line(&mut table, "box min", &vector(min.as_slice()));
+    line(&mut table, "box max", &vector(max.as_slice()));
+    table
+}
+
+fn parameters(model: &Model) -> String {
+    let mut table = String::new();
+    let [phi, theta, psi] = model.pose.euler_zyz().map(f64::to_degrees);
+    line(&mut table, "size", &format!("{}  (semi-axes a1 a2 a3)", vector(&model.shape.size())));
+    line(&mut table, "exponents", &format!("{}  (e1 e2)", vector(&model.shape.exponents())));
+    line(&mut table, "centre", &vector(model.pose.translation().as_slice()));
+    line(&mut table, "rotation", &format!("{phi:.3} {theta:.3} {psi:.3}  (Euler ZYZ, degrees)"));
+    for (name, axis) in ["axis x", "axis y", "axis z"].iter().zip(0..) {
+        line(&mut table, name, &vector(model.pose.rotation().matrix().column(axis).as_slice()));
+    }
+    table
+}
+
+fn line(table: &mut String, name: &str, value: &str) {
+    // Writing to a string cannot fail.
+    let _ = writeln!(table, "{name:<10} {value}");
+}
+
+fn vector(values: &[f64]) -> String {
+    values.iter().map(|value| number(*value)).collect::<Vec<_>>().join(" ")
+}
+
+/// A number with six significant digits, in the plainer of the two notations.
+fn number(value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let magnitude = value.abs().log10().floor() as i32;
+    if !(-4..9).contains(&magnitude) {
+        return format!("{value:.*e}", DIGITS - 1);
+    }
+    let decimals = (DIGITS as i32 - 1 - magnitude).max(0) as usize;
+    format!("{value:.decimals$}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_keep_six_significant_digits() {
+        for (value, text) in [
+            (0.0, "0"),
+            (1.0, "1.00000"),
+            (-123.456789, "-123.457"),
+            (1234567.8, "1234568"),
+            (0.000123456789, "0.000123457"),
+            (1.23456789e-9, "1.23457e-9"),
+            (-9.8765432e12, "-9.87654e12"),
+        ] {
+            assert_eq!(number(value), text);
+        }
+    }
+}
