@@ -1,6 +1,7 @@
 //! Superquadrics: recovery from range points, and their geometry.
 
 pub mod cloud;
+pub mod compare;
 pub mod error;
 pub mod math;
 pub mod model;
