@@ -5,6 +5,7 @@ pub mod compare;
 pub mod error;
 pub mod math;
 pub mod model;
+pub mod output;
 pub mod pose;
 pub mod recover;
 pub mod shape;
