@@ -27,7 +27,7 @@ pub struct VolumeOverlap {
 /// smaller volume times the share of that solid's points that lie in the other: exactly 1 for
 /// one solid in two descriptions up to rounding, exactly 0 for disjoint solids. The share is
 /// taken over `samples` points of a low-discrepancy sequence in the smaller solid's bounding
-/// box; 20 000 leave a standard error near 1e-3, which falls a little faster than the square
+/// box; 50 000 leave a standard error below 1e-3, which falls a little faster than the square
 /// root of their number. Domain: exponents up to 2, for which that box is at most six times the
 /// solid.
 pub fn volume_overlap(a: &Model, b: &Model, samples: usize, seed: u64) -> VolumeOverlap {

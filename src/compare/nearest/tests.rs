@@ -26,14 +26,13 @@ fn feet_of_known_normals_are_found() {
                 let error = (distance - height) / shape.mean_semi_axis();
                 // A foot found is never nearer than the nearest; 1e-12 is the rounding.
                 assert!(error > -1e-12, "{shape:?} {height}: {error}");
+                assert!(error < 1e-4, "{shape:?} {height}: {error}");
                 missed += usize::from(error > 1e-8);
                 all += 1;
-                let is_needle = shape.size()[2] > 10.0;
-                assert!(error < if is_needle { 0.1 } else { 1e-8 }, "{shape:?}: {error}");
             }
         }
     }
-    // One in a thousand, on needles alone.
+    // One in a thousand, far from needles.
     assert!(missed * 1000 <= all, "{missed} of {all}");
 }
 
