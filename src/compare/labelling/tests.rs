@@ -104,7 +104,7 @@ fn a_cylinder_has_an_axis_only() {
 }
 
 #[test]
-fn a_sphere_has_no_orientation_and_a_cube_at_most_62_8_degrees() {
+fn a_sphere_has_no_orientation_and_a_cube_has_24() {
     let ball = model([2.0; 3], [1.0, 1.0], [0.0; 3]);
     assert_errors(&ball, &turned(&ball, Vector3::new(1.0, 2.0, 3.0), 2.0), 0.0, 0.0);
 
