@@ -1,6 +1,8 @@
 //! Superquadrics: recovery from range points, and their geometry.
 
 pub(crate) mod canonical;
+#[cfg(feature = "cli")]
+pub mod cli;
 pub mod cloud;
 pub mod compare;
 pub mod error;
