@@ -5,11 +5,12 @@ use rayon::ThreadPoolBuilder;
 use super::descent::{Effort, PointSet, descend};
 use super::doubt::{doubts, require_extent};
 use super::error::FitError;
+use super::kernel::Residual;
 use super::normalization::Moments;
-use super::options::FitOptions;
+use super::options::{Distance, FitOptions};
 use super::radial::PARAMETERS;
 use super::result::Fit;
-use super::search::Search;
+use super::search::{BRIEF, Search};
 use super::subset::Subset;
 use crate::cloud::PointCloud;
 
@@ -21,6 +22,13 @@ const MEDIUM_POINTS: usize = 10_000;
 
 /// Points from which on a pass is worth sharing among threads.
 const PARALLEL_POINTS: usize = 16_384;
+
+/// Minima that are taken from one distance to the other: that which is best under the second may
+/// be far from it under the first.
+const SWITCHED_FINALISTS: usize = 6;
+
+/// Minima that are taken on to more points.
+const FINALISTS: usize = 3;
 
 /// To tell the finalists apart, and to leave little to do on all points.
 const MEDIUM: Effort = Effort { tolerance: 1e-6, patience: 5, step_bound: 1.0 };
@@ -49,11 +57,17 @@ pub fn fit(cloud: &PointCloud, options: &FitOptions) -> Result<Fit, FitError> {
 
 fn fit_in_pool(cloud: &PointCloud, options: &FitOptions, parallel: bool) -> Result<Fit, FitError> {
     let moments = normalize(cloud)?;
-    let all = PointSet { points: cloud.columns(), normalization: &moments.normalization, parallel };
-    let search = search(&all, &moments, options.seed);
+    let all = PointSet {
+        points: cloud.columns(),
+        normalization: &moments.normalization,
+        parallel,
+        residual: Residual::Radial,
+    };
+    let search = search(&all, &moments, options);
     let (starts, mut passes) = (search.starts, search.passes);
     let mut best = search.into_best().ok_or(FitError::Unbounded)?;
     if all.len() > MEDIUM_POINTS {
+        let all = PointSet { residual: residual(options.distance), ..all };
         best = descend(&all, &best.model, &FINISH).unwrap_or(best);
         passes += best.passes;
     }
@@ -63,7 +77,7 @@ fn fit_in_pool(cloud: &PointCloud, options: &FitOptions, parallel: bool) -> Resu
         model: in_cloud.canonical(),
         termination: best.termination,
         doubts: doubts(&best, &moments, cloud.len()),
-        rms_radial: best.mean_square.sqrt() * moments.normalization.radius,
+        rms_radial: best.radial_mean_square.sqrt() * moments.normalization.radius,
         rms_geometric: best.geometric_mean_square.sqrt() * moments.normalization.radius,
         points: cloud.len(),
         points_skipped: cloud.skipped_rows().len(),
@@ -84,15 +98,28 @@ fn normalize(cloud: &PointCloud) -> Result<Moments, FitError> {
 }
 
 /// The search on a part of the points; on all of them, and to the end, where they are few.
-fn search(all: &PointSet, moments: &Moments, seed: u64) -> Search {
-    let few = Subset::stratified(all.points, COARSE_POINTS, seed);
+fn search(all: &PointSet, moments: &Moments, options: &FitOptions) -> Search {
+    let few = Subset::stratified(all.points, COARSE_POINTS, options.seed);
     let few = PointSet { points: few.columns(), parallel: false, ..*all };
     let mut search = Search::coarse(&few, moments);
+    let residual = residual(options.distance);
+    if residual != few.residual {
+        search.refine(&PointSet { residual, ..few }, &BRIEF, SWITCHED_FINALISTS);
+    }
     if all.len() <= MEDIUM_POINTS {
-        search.refine(all, &FINISH);
+        search.refine(&PointSet { residual, ..*all }, &FINISH, FINALISTS);
     } else {
-        let some = Subset::stratified(all.points, MEDIUM_POINTS, seed);
-        search.refine(&PointSet { points: some.columns(), parallel: false, ..*all }, &MEDIUM);
+        let some = Subset::stratified(all.points, MEDIUM_POINTS, options.seed);
+        let some = PointSet { points: some.columns(), parallel: false, residual, ..*all };
+        search.refine(&some, &MEDIUM, FINALISTS);
     }
     search
+}
+
+/// What is minimised in the end.
+fn residual(distance: Distance) -> Residual {
+    match distance {
+        Distance::Radial => Residual::Radial,
+        Distance::Geometric => Residual::Geometric { saturation: 0.0 },
+    }
 }
