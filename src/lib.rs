@@ -34,9 +34,10 @@
 //! # Modules, in the order in which data flows
 //!
 //! [`math`] -> [`shape`] and [`pose`] -> [`model`] -> [`surface`], [`compare`]; [`cloud`] ->
-//! [`recover`] -> [`report`] -> [`output`] and the command line. Nothing below the command line
+//! [`recover`] -> [`report`] and [`batch`] -> [`output`] and the command line. Nothing below the command line
 //! prints or exits.
 
+pub mod batch;
 mod canonical;
 #[cfg(feature = "cli")]
 pub mod cli;

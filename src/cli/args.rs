@@ -41,6 +41,7 @@ pub(super) enum Command {
     Fit(FitArgs),
     Mesh(MeshArgs),
     Info(InfoArgs),
+    Batch(BatchArgs),
     Completions(CompletionsArgs),
 }
 
@@ -94,6 +95,28 @@ pub(super) struct InfoArgs {
     /// Print JSON instead of a table.
     #[arg(long)]
     pub json: bool,
+}
+
+/// Fit and score every scene of a suite whose truth is known.
+///
+/// Writes a row a scene and a summary by level, and prints the summary. A run that was
+/// interrupted goes on where it ended.
+#[derive(Debug, clap::Args)]
+pub(super) struct BatchArgs {
+    /// Folder of the suite: suite.json, and scenes/NAME/ with cloud.ply and truth.json.
+    pub suite: PathBuf,
+    /// Folder of the results: scenes.csv, summary.json, and a document a scene.
+    #[arg(short, long, value_name = "RESULTS")]
+    pub output: PathBuf,
+    /// Seed of the choice of points that the coarse search looks at.
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u64,
+    /// The distance whose squares are minimised.
+    #[arg(long, value_enum, default_value_t)]
+    pub distance: DistanceArg,
+    /// Threads to use [default: as many as the machine offers].
+    #[arg(long, value_name = "N")]
+    pub threads: Option<NonZeroUsize>,
 }
 
 /// Print shell completions.

@@ -4,6 +4,7 @@ use std::io;
 
 use thiserror::Error;
 
+use crate::batch::BatchError;
 use crate::cloud::ReadError;
 use crate::output::OutputError;
 use crate::recover::FitError;
@@ -25,6 +26,10 @@ pub(super) enum CliError {
     MeshFormat(#[from] UnknownMeshFormat),
     #[error(transparent)]
     Output(#[from] OutputError),
+    #[error(transparent)]
+    Batch(#[from] BatchError),
+    #[error("cannot start threads: {0}")]
+    Threads(String),
     #[error("cannot write to stdout: {0}")]
     Stdout(io::Error),
 }

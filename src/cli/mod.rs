@@ -2,6 +2,7 @@
 //! straight down from input to output.
 
 mod args;
+mod batch;
 mod completions;
 mod error;
 mod fit;
@@ -42,6 +43,7 @@ fn run(command: Command) -> Result<u8, CliError> {
         Command::Fit(args) => fit::run(&args),
         Command::Mesh(args) => mesh::run(&args),
         Command::Info(args) => info::run(&args),
+        Command::Batch(args) => batch::run(&args),
         Command::Completions(args) => completions::run(&args),
     }
 }
