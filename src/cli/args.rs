@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
-use crate::recover::Distance;
+use crate::recover::{Distance, FitOptions};
 use crate::surface::Resolution;
 
 /// Recovers superquadrics from range points, and tells what there is to know of them.
@@ -62,16 +62,30 @@ pub(super) struct FitArgs {
     /// Segments along each edge of the mesh's lattice (even).
     #[arg(long, value_name = "N", default_value = "32", value_parser = resolution)]
     pub resolution: Resolution,
+    #[command(flatten)]
+    pub search: SearchArgs,
+    /// Threads to use [default: as many as the machine offers]. They change the time, not the
+    /// result.
+    #[arg(long, value_name = "N")]
+    pub threads: Option<NonZeroUsize>,
+}
+
+/// How the model is searched for.
+#[derive(Debug, clap::Args)]
+pub(super) struct SearchArgs {
     /// Seed of the choice of points that the coarse search looks at.
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub seed: u64,
     /// The distance whose squares are minimised.
     #[arg(long, value_enum, default_value_t)]
     pub distance: DistanceArg,
-    /// Threads to use [default: as many as the machine offers]. They change the time, not the
-    /// result.
-    #[arg(long, value_name = "N")]
-    pub threads: Option<NonZeroUsize>,
+}
+
+impl SearchArgs {
+    /// The options of a fit on so many threads.
+    pub fn options(&self, threads: Option<NonZeroUsize>) -> FitOptions {
+        FitOptions { seed: self.seed, distance: self.distance.into(), threads }
+    }
 }
 
 /// Write a mesh of a model's surface.
@@ -108,12 +122,8 @@ pub(super) struct BatchArgs {
     /// Folder of the results: scenes.csv, summary.json, and a document a scene.
     #[arg(short, long, value_name = "RESULTS")]
     pub output: PathBuf,
-    /// Seed of the choice of points that the coarse search looks at.
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    pub seed: u64,
-    /// The distance whose squares are minimised.
-    #[arg(long, value_enum, default_value_t)]
-    pub distance: DistanceArg,
+    #[command(flatten)]
+    pub search: SearchArgs,
     /// Threads to use [default: as many as the machine offers].
     #[arg(long, value_name = "N")]
     pub threads: Option<NonZeroUsize>,

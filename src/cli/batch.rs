@@ -11,10 +11,9 @@ use super::args::BatchArgs;
 use super::error::CliError;
 use super::output::print;
 use crate::batch::{evaluate, summary_table};
-use crate::recover::FitOptions;
 
 pub(super) fn run(args: &BatchArgs) -> Result<u8, CliError> {
-    let options = FitOptions { seed: args.seed, distance: args.distance.into(), threads: None };
+    let options = args.search.options(None);
     let mut builder = ThreadPoolBuilder::new();
     if let Some(threads) = args.threads {
         builder = builder.num_threads(threads.get());

@@ -7,7 +7,7 @@ use super::error::CliError;
 use super::input::{is_stream, name, read_cloud};
 use super::output::{print, write_mesh, write_text};
 use super::{DONE, UNTRUSTED};
-use crate::recover::{FitOptions, fit};
+use crate::recover::fit;
 use crate::report::{FitDocument, fit_table};
 use crate::surface::format::MeshFormat;
 
@@ -17,8 +17,7 @@ pub(super) fn run(args: &FitArgs) -> Result<u8, CliError> {
         MeshFormat::from_extension(mesh)?;
     }
     let cloud = read_cloud(&args.cloud)?;
-    let options =
-        FitOptions { seed: args.seed, distance: args.distance.into(), threads: args.threads };
+    let options = args.search.options(args.threads);
     let start = Instant::now();
     let fit = fit(&cloud, &options)
         .map_err(|source| CliError::Fit { name: name(&args.cloud), source })?;

@@ -14,5 +14,5 @@ mod text;
 mod text_rows;
 
 pub use error::{Place, Problem, ReadError};
-pub use point_cloud::PointCloud;
+pub use point_cloud::{PointCloud, PointColumns};
 pub use read::{read, read_stream};

@@ -1,5 +1,8 @@
 //! A cloud of finite points, stored as three coordinate columns.
 
+/// Columns x, y, z of equally many points.
+pub type PointColumns<'a> = [&'a [f64]; 3];
+
 /// Finite points in world coordinates, one column per coordinate.
 ///
 /// Lengths are in the cloud's own unit, whatever that is. A row with a coordinate that is not
@@ -92,7 +95,7 @@ impl PointCloud {
     }
 
     /// The x, y and z columns, each of length [`len`](Self::len).
-    pub fn columns(&self) -> [&[f64]; 3] {
+    pub fn columns(&self) -> PointColumns<'_> {
         [&self.x, &self.y, &self.z]
     }
 }

@@ -4,9 +4,10 @@ use levenberg_marquardt::LevenbergMarquardt;
 
 use super::chart::EXPONENT_BOUNDS;
 use super::compressed::CompressedProblem;
-use super::kernel::{Gram, ModelView, PointColumns, Residual, gram};
+use super::kernel::{Gram, ModelView, Residual, gram};
 use super::normalization::Normalization;
 use super::result::Termination;
+use crate::cloud::PointColumns;
 use crate::model::Model;
 
 /// The points that a run looks at, and how they are normalised.

@@ -3,7 +3,7 @@
 
 use nalgebra::{Matrix3, Rotation3, SymmetricEigen, Vector3};
 
-use super::kernel::PointColumns;
+use crate::cloud::PointColumns;
 use crate::model::Model;
 use crate::pose::Pose;
 

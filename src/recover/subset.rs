@@ -3,7 +3,7 @@
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use super::kernel::PointColumns;
+use crate::cloud::PointColumns;
 
 /// Some points, as owned columns.
 #[derive(Debug, Clone)]

@@ -8,6 +8,7 @@ mod block;
 mod dispatch;
 mod elementary;
 mod gram;
+mod point;
 mod view;
 
 pub(crate) use gram::{COLUMNS, Gram};
@@ -15,12 +16,11 @@ pub(crate) use view::{ModelView, Residual};
 
 use rayon::prelude::*;
 
+use crate::cloud::PointColumns;
+
 /// Points whose rows are summed in one go: fixed, so that the sum does not depend on how many
 /// threads share the work.
 const CHUNK: usize = 64 * gram::BLOCK;
-
-/// Columns x, y, z of equally many points.
-pub(crate) type PointColumns<'a> = [&'a [f64]; 3];
 
 /// The Gram matrix `[r J]' [r J]` of the radial problem over all points.
 ///
