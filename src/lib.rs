@@ -2,9 +2,11 @@
 
 pub(crate) mod canonical;
 pub mod cloud;
+pub mod compare;
 pub mod error;
 pub mod math;
 pub mod model;
+pub mod output;
 pub mod pose;
 pub mod recover;
 pub mod report;

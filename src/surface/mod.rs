@@ -1,5 +1,6 @@
 //! Surfaces as triangles and as points.
 
+pub mod format;
 mod grading;
 mod lattice;
 mod mesh;

@@ -21,7 +21,8 @@ pub fn sample_surface(shape: &Superellipsoid, count: usize, seed: u64) -> Vec<Ve
     let bound = greatest_slope(shape);
     let mut draw = || loop {
         let x = cone.draw(&mut rng);
-        if rng.random::<f64>() * bound <= shape.gauge_gradient(&x).norm() {
+        let is_refused = rng.random::<f64>() * bound > shape.gauge_gradient(&x).norm();
+        if !is_refused {
             return x;
         }
     };

@@ -1,0 +1,50 @@
+//! Wavefront OBJ.
+
+use std::io::{self, Write};
+
+use super::Mesh;
+
+/// Writes `v` lines in the shortest digits that read back as the same doubles, and `f` lines,
+/// whose indices count from one.
+pub(super) fn write(mesh: &Mesh, writer: &mut (impl Write + ?Sized)) -> io::Result<()> {
+    for vertex in mesh.vertices() {
+        writeln!(writer, "v {:?} {:?} {:?}", vertex.x, vertex.y, vertex.z)?;
+    }
+    for triangle in mesh.triangles() {
+        let [a, b, c] = triangle.map(|index| u64::from(index) + 1);
+        writeln!(writer, "f {a} {b} {c}")?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::MeshFormat;
+    use super::super::tests::written;
+    use nalgebra::Vector3;
+    use std::str::FromStr;
+
+    /// The three numbers of every line that begins with `keyword`.
+    fn rows<T: FromStr>(text: &str, keyword: &str) -> Vec<[T; 3]>
+    where
+        T::Err: std::fmt::Debug,
+    {
+        let row = |line: &str| {
+            let mut numbers = line.split(' ').skip(1).map(|number| number.parse().unwrap());
+            let row = [(); 3].map(|()| numbers.next().unwrap());
+            assert!(numbers.next().is_none());
+            row
+        };
+        text.lines().filter(|line| line.starts_with(keyword)).map(row).collect()
+    }
+
+    #[test]
+    fn numbers_read_back_as_they_were() {
+        let (mesh, bytes) = written(MeshFormat::Obj);
+        let text = String::from_utf8(bytes).unwrap();
+        let vertices: Vec<[f64; 3]> = rows(&text, "v ");
+        assert!(vertices.into_iter().map(Vector3::from).eq(mesh.vertices().iter().copied()));
+        let triangles: Vec<[u32; 3]> = rows(&text, "f ");
+        assert!(triangles.into_iter().eq(mesh.triangles().iter().map(|t| t.map(|i| i + 1))));
+    }
+}
