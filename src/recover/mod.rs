@@ -21,6 +21,6 @@ mod switches;
 mod uncertainty;
 
 pub use error::FitError;
-pub use fit::fit;
+pub use fit::{fit, fit_unless};
 pub use options::FitOptions;
 pub use result::{Doubt, Fit, Termination};
