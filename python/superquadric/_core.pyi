@@ -6,6 +6,22 @@ from typing import Any, Literal, final, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+__all__ = [
+    "ArrayError",
+    "CloudError",
+    "DocumentError",
+    "Fit",
+    "FitError",
+    "ModelError",
+    "Score",
+    "Superellipsoid",
+    "SuperquadricError",
+    "__version__",
+    "fit",
+    "read",
+    "score",
+]
+
 __version__: str
 
 class SuperquadricError(ValueError): ...

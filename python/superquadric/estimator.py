@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-import inspect
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
 from ._core import Fit, Superellipsoid, fit
 
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
 INLIER_RMS = 3.0
 """Radial distance, in radial RMS of the fit, up to which a row counts as an inlier."""
+
+
+_OPTIONS = ("seed", "threads")
 
 
 class SuperquadricEstimator:
@@ -53,7 +57,7 @@ class SuperquadricEstimator:
         self.fit_ = fit(points, seed=self.seed, threads=self.threads)
         self.model_ = self.fit_.model
         distance = np.abs(self.model_.radial_distance(points))
-        # Rows that are not finite have no distance, which is at most nothing.
+        # Rows that are not finite are at no distance: NaN is not below the bound.
         self.inlier_mask_ = distance <= INLIER_RMS * self.fit_.rms_radial
         self.n_features_in_ = 3
         return self
@@ -73,7 +77,7 @@ class SuperquadricEstimator:
 
     def get_params(self, deep: bool = True) -> dict[str, Any]:
         """Return the options by name; `deep` makes no difference."""
-        return {name: getattr(self, name) for name in _option_names()}
+        return {name: getattr(self, name) for name in _OPTIONS}
 
     def set_params(self, **params: Any) -> SuperquadricEstimator:
         """Change options by name.
@@ -85,8 +89,8 @@ class SuperquadricEstimator:
             ValueError: if there is no option of that name.
         """
         for name, value in params.items():
-            if name not in _option_names():
-                raise ValueError(f"no option {name!r}; there are {', '.join(_option_names())}")
+            if name not in _OPTIONS:
+                raise ValueError(f"no option {name!r}; there are {', '.join(_OPTIONS)}")
             setattr(self, name, value)
         return self
 
@@ -94,7 +98,3 @@ class SuperquadricEstimator:
         """Show the options."""
         options = ", ".join(f"{name}={value!r}" for name, value in self.get_params().items())
         return f"SuperquadricEstimator({options})"
-
-
-def _option_names() -> list[str]:
-    return [name for name in inspect.signature(SuperquadricEstimator.__init__).parameters][1:]

@@ -86,7 +86,8 @@ impl<'py> Doubles<'py> {
         }
     }
 
-    /// One number for each row, in an array of shape (...).
+    /// One number for each row, in an array of shape (...); not a number for rows that are not
+    /// finite.
     ///
     /// # Errors
     /// Those of [`rows`](Self::rows).
@@ -95,9 +96,37 @@ impl<'py> Doubles<'py> {
         py: Python<'py>,
         map: impl Fn(&Vector3<f64>) -> f64 + Sync,
     ) -> PyResult<Array<'py>> {
-        let rows = self.rows()?;
-        let results = py.detach(|| rows.iter().map(|&row| map(&row.into())).collect());
+        let results = self.finite_rows(py, f64::NAN, map)?;
         shaped(py, results, &self.shape()[..self.shape().len() - 1])
+    }
+
+    /// A vector for each row, in an array of the same shape; not numbers for rows that are not
+    /// finite.
+    ///
+    /// # Errors
+    /// Those of [`rows`](Self::rows).
+    pub fn map_rows_to_rows(
+        &self,
+        py: Python<'py>,
+        map: impl Fn(&Vector3<f64>) -> Vector3<f64> + Sync,
+    ) -> PyResult<Array<'py>> {
+        let results = self.finite_rows(py, [f64::NAN; 3], |row| map(row).into())?;
+        shaped(py, results.into_flattened(), self.shape())
+    }
+
+    /// What `map` makes of the rows that are finite, and `otherwise` in place of the others.
+    fn finite_rows<T: Copy + Send + Sync>(
+        &self,
+        py: Python<'_>,
+        otherwise: T,
+        map: impl Fn(&Vector3<f64>) -> T + Sync,
+    ) -> PyResult<Vec<T>> {
+        let map_row = |&row: &[f64; 3]| match row.iter().all(|coordinate| coordinate.is_finite()) {
+            true => map(&row.into()),
+            false => otherwise,
+        };
+        let rows = self.rows()?;
+        Ok(py.detach(|| rows.iter().map(map_row).collect()))
     }
 }
 

@@ -31,21 +31,3 @@ mod core {
     #[expect(non_upper_case_globals, reason = "the name that Python expects")]
     const __version__: &str = env!("CARGO_PKG_VERSION");
 }
-
-use crate::model::Model;
-
-/// A model, or a fit that stands for its model.
-#[derive(FromPyObject)]
-enum Solid<'py> {
-    Model(Bound<'py, model::PyModel>),
-    Fit(Bound<'py, fit::PyFit>),
-}
-
-impl Solid<'_> {
-    fn model(&self) -> &Model {
-        match self {
-            Self::Model(model) => &model.get().0,
-            Self::Fit(fit) => fit.get().model(),
-        }
-    }
-}

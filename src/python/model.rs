@@ -6,9 +6,7 @@ use nalgebra::Vector3;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple, PyType};
 
-use super::arrays::{
-    Array, Doubles, Table, Vector, map_angles, require_room, shaped, table, vector,
-};
+use super::arrays::{Array, Doubles, Table, Vector, map_angles, require_room, table, vector};
 use super::errors::os_error;
 use super::pose::pose_of;
 use crate::model::Model;
@@ -25,7 +23,7 @@ const SAME_ROTATION: f64 = 1e-11;
 ///
 /// In its own frame it is the solid `((x/a1)^(2/e2) + (y/a2)^(2/e2))^(e2/e1) + (z/a3)^(2/e1)
 /// <= 1` (JLS Eq. 2.15). Lengths are in the unit of the caller, angles in radians; points are
-/// those of the world. It cannot be changed. Models are equal if size, exponents and
+/// those of the world, and those that are not finite give NaN. It cannot be changed. Models are equal if size, exponents and
 /// translation are, and their rotations up to rounding; one solid has many parameter vectors,
 /// which `score` sees through.
 ///
@@ -184,16 +182,10 @@ impl PyModel {
     /// The surface points on the rays from the centre through points of shape (..., 3), in an
     /// array of that shape. The centre is left where it is.
     fn radial_projection<'py>(&self, points: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
-        let py = points.py();
-        let points = Doubles::new("points", points)?;
-        let rows = points.rows()?;
         let Model { shape, pose } = &self.0;
-        let project = |x_world: Vector3<f64>| {
-            pose.world_from_model(&shape.radial_projection(&pose.model_from_world(&x_world)))
-        };
-        let projected: Vec<[f64; 3]> =
-            py.detach(|| rows.iter().map(|&x| project(x.into()).into()).collect());
-        shaped(py, projected.into_flattened(), points.shape())
+        Doubles::new("points", points)?.map_rows_to_rows(points.py(), |x_world| {
+            pose.world_from_model(&shape.radial_projection(&pose.model_from_world(x_world)))
+        })
     }
 
     /// The support function `max { n . x : x in the solid }` for directions n of shape (..., 3),

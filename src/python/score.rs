@@ -1,9 +1,11 @@
 //! `superquadric.score`: how far a recovered model is from the true one.
 
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
-use super::Solid;
 use super::arrays::{point_cloud, require_room};
+use super::fit::PyFit;
+use super::model::PyModel;
 use crate::cloud::PointCloud;
 use crate::compare::{
     SurfaceDistance, VolumeOverlap, rotation_error, size_error, surface_distance, volume_overlap,
@@ -22,20 +24,20 @@ use crate::model::Model;
 ///
 /// Raises:
 ///     ArrayError: if the shape of the inliers is not (n, 3).
-///     TypeError: if they are not real numbers.
+///     TypeError: if they are not real numbers, or a solid is neither a model nor a fit.
 #[pyfunction]
 #[pyo3(signature = (truth, found, *, inliers = None, samples = 20_000, seed = 0))]
 pub(super) fn score(
     py: Python<'_>,
-    truth: Solid<'_>,
-    found: Solid<'_>,
+    truth: &Bound<'_, PyAny>,
+    found: &Bound<'_, PyAny>,
     inliers: Option<&Bound<'_, PyAny>>,
     samples: usize,
     seed: u64,
 ) -> PyResult<PyScore> {
     let inliers = inliers.map(|inliers| point_cloud("inliers", inliers)).transpose()?;
     require_room(samples)?;
-    let (truth, found) = (*truth.model(), *found.model());
+    let (truth, found) = (model_of(truth)?, model_of(found)?);
     Ok(py.detach(|| PyScore {
         overlap: volume_overlap(&truth, &found, samples, seed),
         distance: surface_distance(&truth, &found, samples, seed),
@@ -43,6 +45,18 @@ pub(super) fn score(
         size_error: size_error(&truth, &found),
         rotation_error: rotation_error(&truth, &found),
     }))
+}
+
+/// A model, or that of a fit.
+fn model_of(value: &Bound<'_, PyAny>) -> PyResult<Model> {
+    if let Ok(model) = value.cast::<PyModel>() {
+        return Ok(model.get().0);
+    }
+    if let Ok(fit) = value.cast::<PyFit>() {
+        return Ok(*fit.get().model());
+    }
+    let found = value.get_type().name()?;
+    Err(PyTypeError::new_err(format!("expected a Superellipsoid or a Fit, found {found}")))
 }
 
 /// Root mean square of the radial distances of points; NaN without any.
