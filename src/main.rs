@@ -1,1 +1,7 @@
-fn main() {}
+//! The command line `superquadric`.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    superquadric::cli::main()
+}

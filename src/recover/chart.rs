@@ -1,8 +1,8 @@
 //! The eleven free numbers that the optimiser moves, around a model.
 //!
-//! Logarithms of the sizes; angles whose sines place the exponents between their bounds; a
-//! rotation vector on top of the current rotation; the centre. All are of order one in
-//! normalised coordinates, and none can leave its domain.
+//! Logarithms of the sizes; the exponents, of which what is beyond a bound counts as the bound;
+//! a rotation vector on top of the current rotation; the centre. All are of order one in
+//! normalised coordinates.
 
 use nalgebra::{Matrix3, Rotation3, SMatrix, SVector, Vector3};
 
@@ -11,7 +11,7 @@ use crate::model::Model;
 use crate::pose::Pose;
 use crate::shape::Superellipsoid;
 
-/// Free parameters: `ln a (3), exponent angles (2), rotation vector (3), centre (3)`.
+/// Free parameters: `ln a (3), e (2), rotation vector (3), centre (3)`.
 pub(crate) type Coordinates = SVector<f64, PARAMETERS>;
 
 /// Bounds of both exponents: boxes are told from cubes of light, and shapes stay convex.
@@ -21,9 +21,6 @@ pub(crate) const EXPONENT_BOUNDS: [f64; 2] = [0.05, 2.0];
 /// object, its semi-axes are not many times the RMS radius of the points, whereas the radial
 /// distance is content with a face of a giant.
 const LOG_SIZE_BOUNDS: [f64; 2] = [-9.3, 1.8];
-
-/// How near to its bound, as a sine, an exponent may start: at the bound itself it is stuck.
-const SINE_BOUND: f64 = 1.0 - 1e-6;
 
 /// Coordinates of the models around one rotation.
 #[derive(Debug, Clone)]
@@ -42,7 +39,7 @@ impl Chart {
             coordinates[8 + k] = model.pose.translation()[k];
         }
         for k in 0..2 {
-            coordinates[3 + k] = angle_of_exponent(exponents[k]);
+            coordinates[3 + k] = within_bounds(exponents[k]);
         }
         (Self { base: *model.pose.rotation() }, coordinates)
     }
@@ -57,7 +54,7 @@ impl Chart {
             return None;
         }
         let size = [log_size[0].exp(), log_size[1].exp(), log_size[2].exp()];
-        let exponents = [exponent_of_angle(coordinates[3]), exponent_of_angle(coordinates[4])];
+        let exponents = [within_bounds(coordinates[3]), within_bounds(coordinates[4])];
         let shape = Superellipsoid::new(size, exponents).ok()?;
         let rotation = self.base * Rotation3::new(rotation_vector(coordinates));
         let translation = coordinates.fixed_rows::<3>(8).into_owned();
@@ -72,7 +69,8 @@ impl Chart {
     ) -> SMatrix<f64, PARAMETERS, PARAMETERS> {
         let mut jacobian = SMatrix::<f64, PARAMETERS, PARAMETERS>::zeros();
         (0..3).for_each(|k| jacobian[(k, k)] = 1.0);
-        (3..5).for_each(|k| jacobian[(k, k)] = exponent_slope(coordinates[k]));
+        // Beyond a bound an exponent rests: the other coordinates then converge without it.
+        (3..5).for_each(|k| jacobian[(k, k)] = f64::from(!is_beyond_bounds(coordinates[k])));
         let turn = right_jacobian(&rotation_vector(coordinates));
         jacobian.fixed_view_mut::<3, 3>(5, 5).copy_from(&turn);
         jacobian.fixed_view_mut::<3, 3>(8, 8).copy_from(&rotation.matrix().transpose());
@@ -84,23 +82,13 @@ fn rotation_vector(coordinates: &Coordinates) -> Vector3<f64> {
     coordinates.fixed_rows::<3>(5).into_owned()
 }
 
-fn exponent_middle_and_half() -> (f64, f64) {
+fn within_bounds(exponent: f64) -> f64 {
     let [low, high] = EXPONENT_BOUNDS;
-    (0.5 * (low + high), 0.5 * (high - low))
+    exponent.clamp(low, high)
 }
 
-fn exponent_of_angle(angle: f64) -> f64 {
-    let (middle, half) = exponent_middle_and_half();
-    middle + half * angle.sin()
-}
-
-fn exponent_slope(angle: f64) -> f64 {
-    exponent_middle_and_half().1 * angle.cos()
-}
-
-fn angle_of_exponent(exponent: f64) -> f64 {
-    let (middle, half) = exponent_middle_and_half();
-    ((exponent - middle) / half).clamp(-SINE_BOUND, SINE_BOUND).asin()
+fn is_beyond_bounds(exponent: f64) -> bool {
+    exponent != within_bounds(exponent)
 }
 
 /// Right Jacobian of the rotation group: `exp[v + dv] = exp[v] exp[J dv]`, `J = 1 - (1 - cos t)
@@ -142,14 +130,15 @@ mod tests {
     }
 
     #[test]
-    fn exponents_stay_within_their_bounds_whatever_the_coordinates() {
+    fn an_exponent_beyond_its_bound_counts_as_the_bound_and_rests() {
         let (chart, coordinates) = Chart::around(&model());
-        for angle in [-1e3, -1.6, 0.0, 1.6, 40.0] {
+        for (beyond, bound) in [(-3.0, EXPONENT_BOUNDS[0]), (2.5, EXPONENT_BOUNDS[1])] {
             let mut moved = coordinates;
-            moved[3] = angle;
-            let [low, high] = EXPONENT_BOUNDS;
-            let e1 = chart.model(&moved).unwrap().shape.exponents()[0];
-            assert!((low - 1e-15..=high).contains(&e1));
+            moved[3] = beyond;
+            let model = chart.model(&moved).unwrap();
+            assert_eq!(model.shape.exponents()[0], bound);
+            let jacobian = chart.local_from_coordinates(&moved, model.pose.rotation());
+            assert!(jacobian.column(3).iter().all(|entry| *entry == 0.0));
         }
     }
 
@@ -169,7 +158,7 @@ mod tests {
     fn row_and_chart_together_give_the_derivatives_by_all_eleven_coordinates() {
         let (chart, origin) = Chart::around(&model());
         let mut away = origin;
-        away.iter_mut().enumerate().for_each(|(k, c)| *c += 0.1 * (k as f64 - 5.0));
+        away.iter_mut().enumerate().for_each(|(k, c)| *c += 0.1 * (k as f64 - 3.0));
         for coordinates in [origin, away] {
             for point in [[0.9, 0.3, -0.4], [-0.5, 0.8, 0.6], [0.1, -1.5, 0.2]] {
                 let point = Vector3::from(point);

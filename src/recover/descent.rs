@@ -2,6 +2,7 @@
 
 use levenberg_marquardt::LevenbergMarquardt;
 
+use super::chart::EXPONENT_BOUNDS;
 use super::compressed::CompressedProblem;
 use super::kernel::{Gram, ModelView, PointColumns, gram};
 use super::normalization::Normalization;
@@ -65,9 +66,38 @@ pub(crate) struct Descent {
     pub termination: Termination,
 }
 
-/// Minimises the radial distances from a start. None if the start itself is out of bounds,
-/// or the fit is interrupted before the first pass.
+/// Runs that an exponent resting at its bound may cause, by being released.
+const RELEASES: usize = 2;
+
+/// Minimises the radial distances from a start. None if the start itself is out of bounds, or
+/// the fit is interrupted before the first pass.
+///
+/// Within a run an exponent that has passed its bound rests there; if the minimum of the others
+/// leaves it drawn back inside, another run follows from there.
 pub(crate) fn descend(points: &PointSet, start: &Model, effort: &Effort) -> Option<Descent> {
+    let mut descent = run(points, start, effort)?;
+    for _ in 0..RELEASES {
+        if !is_drawn_inside(&descent) {
+            break;
+        }
+        let further = run(points, &descent.model, effort)?;
+        let passes = descent.passes + further.passes;
+        descent = Descent { passes, ..further };
+    }
+    Some(descent)
+}
+
+/// Whether the cost falls as an exponent moves from its bound to the inside.
+fn is_drawn_inside(descent: &Descent) -> bool {
+    let [low, high] = EXPONENT_BOUNDS;
+    let slopes = [descent.gram.matrix[0][4], descent.gram.matrix[0][5]];
+    let exponents = descent.model.shape.exponents();
+    exponents.iter().zip(slopes).any(|(&exponent, slope)| {
+        (exponent == low && slope < 0.0) || (exponent == high && slope > 0.0)
+    })
+}
+
+fn run(points: &PointSet, start: &Model, effort: &Effort) -> Option<Descent> {
     let problem = CompressedProblem::around(start, |model: &Model| points.gram(model));
     let (problem, report) = LevenbergMarquardt::new()
         .with_ftol(effort.tolerance)

@@ -23,4 +23,5 @@ mod uncertainty;
 pub use error::FitError;
 pub use fit::{fit, fit_unless};
 pub use options::FitOptions;
+pub use radial::{PARAMETERS, Row, radial_row};
 pub use result::{Doubt, Fit, Termination};

@@ -5,22 +5,26 @@ use crate::shape::GaugeTerms;
 
 /// Local parameters, in this order: `ln a1, ln a2, ln a3, e1, e2`, the body rotation increment
 /// (x, y, z), the body translation increment (x, y, z).
-pub(crate) const PARAMETERS: usize = 11;
+pub const PARAMETERS: usize = 11;
 
 /// A signed distance and its derivatives by the local parameters.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Row {
+pub struct Row {
+    /// The signed radial Euclidean distance, negative inside.
     pub distance: f64,
+    /// Its derivatives by `ln a1, ln a2, ln a3, e1, e2`, the rotation increment (x, y, z) and
+    /// the translation increment (x, y, z), both in the model's frame.
     pub gradient: [f64; PARAMETERS],
 }
 
-/// The signed radial distance of the point `x` of the model's frame, with its derivatives.
+/// The signed radial distance of the point `x` of the model's frame, with its derivatives: the
+/// scalar reference of what [`fit`](super::fit) evaluates in blocks (JLS Eq. 2.43).
 ///
 /// With `h = 1/H`, `r = |x|` and `rho = r h` (the surface along the ray): `d = r - rho`;
 /// `dd/dx_i = n_i = x_i [(1 - h)/r + rho alpha_i / x_i^2]`, where `alpha` are the logarithmic
 /// derivatives of H; a body rotation `R exp[delta]` gives `n x x`, a body translation `-n`;
 /// `dd/d ln a_i = -rho alpha_i`; `dd/de_k = (1/2) rho S_k`, where S is an entropy.
-pub(crate) fn radial_row(x: [f64; 3], size: &[f64; 3], exponents: &[f64; 2]) -> Row {
+pub fn radial_row(x: [f64; 3], size: &[f64; 3], exponents: &[f64; 2]) -> Row {
     let terms = GaugeTerms::at(x, size, exponents);
     let [mx, my, mz] = terms.magnitudes;
     let radius = (mx * mx + my * my + mz * mz).sqrt();

@@ -19,6 +19,14 @@ const FINALISTS: usize = 3;
 /// A model whose mean square is this many times the best one's is not taken on.
 const HOPELESS: f64 = 4.0;
 
+/// A winner whose mean square is this share of the next minimum's ends the search: a fifth of
+/// its RMS.
+const CLEAR: f64 = 0.04;
+
+/// Relative difference of semi-axes, and difference of exponents, within one minimum.
+const SAME_SIZE: f64 = 0.02;
+const SAME_EXPONENT: f64 = 0.05;
+
 /// A brief descent: it must tell minima apart, not find them exactly.
 const BRIEF: Effort = Effort { tolerance: 1e-3, patience: 2, step_bound: 0.5 };
 
@@ -33,35 +41,29 @@ pub(crate) struct Search {
 }
 
 impl Search {
-    /// Descends from the principal axes, from the frames between them, and by switches.
+    /// Descends from the principal axes, by switches, and from the frames between them.
     pub fn coarse(points: &PointSet, moments: &Moments) -> Self {
         let mut search = Self::default();
-        search.try_all(points, &principal_starts(moments), &BRIEF);
+        search.try_all(points, &principal_starts(moments));
         search.try_switches(points);
-        let further = ambiguous_starts(moments);
-        if !further.is_empty() {
-            search.try_all(points, &further, &BRIEF);
-            search.try_switches(points);
+        if !search.has_clear_winner() {
+            let before = search.least_mean_square();
+            search.try_all(points, &ambiguous_starts(moments));
+            if search.least_mean_square() < WORTHWHILE * before {
+                search.try_switches(points);
+            }
         }
         search
     }
 
     /// Takes the best few on to other points: only these are kept.
     pub fn refine(&mut self, points: &PointSet, effort: &Effort) {
-        let candidates = std::mem::take(&mut self.candidates);
-        let least = candidates.first().map_or(0.0, |best| best.geometric_mean_square);
-        let finalists: Vec<Model> = candidates
-            .iter()
-            .take(FINALISTS)
-            .filter(|candidate| candidate.geometric_mean_square <= HOPELESS * least)
-            .map(|candidate| candidate.model)
-            .collect();
-        for model in &finalists {
-            self.descend(points, model, effort);
+        for model in self.take_finalists() {
+            self.descend(points, &model, effort);
         }
     }
 
-    /// The descent of least mean square.
+    /// The best descent.
     pub fn into_best(self) -> Option<Descent> {
         self.candidates.into_iter().next()
     }
@@ -69,21 +71,50 @@ impl Search {
     /// Switches from the best descent, as long as one of them is worth while.
     fn try_switches(&mut self, points: &PointSet) {
         for _ in 0..SWITCH_ROUNDS {
-            let Some(best) = self.candidates.first().cloned() else { return };
-            self.try_all(points, &switches(&best.model), &BRIEF);
-            if self.candidates[0].geometric_mean_square >= WORTHWHILE * best.geometric_mean_square {
+            let Some(best) = self.candidates.first() else { return };
+            let (model, before) = (best.model, best.geometric_mean_square);
+            self.try_all(points, &switches(&model));
+            if self.least_mean_square() >= WORTHWHILE * before {
                 return;
             }
         }
     }
 
-    fn try_all(&mut self, points: &PointSet, starts: &[Model], effort: &Effort) {
+    /// The best few models, each minimum once, without those far behind; no candidate is left.
+    fn take_finalists(&mut self) -> Vec<Model> {
+        let hopeless = HOPELESS * self.least_mean_square();
+        let mut finalists: Vec<Model> = Vec::new();
+        for candidate in std::mem::take(&mut self.candidates) {
+            let is_new = finalists.iter().all(|model| !is_same_minimum(model, &candidate.model));
+            if is_new && finalists.len() < FINALISTS && candidate.geometric_mean_square <= hopeless
+            {
+                finalists.push(candidate.model);
+            }
+        }
+        finalists
+    }
+
+    /// Whether the best minimum is so far ahead of every other that none is left to be found.
+    fn has_clear_winner(&self) -> bool {
+        let Some(best) = self.candidates.first() else { return false };
+        self.candidates
+            .iter()
+            .find(|other| !is_same_minimum(&other.model, &best.model))
+            .is_some_and(|other| best.geometric_mean_square < CLEAR * other.geometric_mean_square)
+    }
+
+    fn least_mean_square(&self) -> f64 {
+        self.candidates.first().map_or(f64::INFINITY, |best| best.geometric_mean_square)
+    }
+
+    fn try_all(&mut self, points: &PointSet, starts: &[Model]) {
         for start in starts {
             self.starts += 1;
-            self.descend(points, start, effort);
+            self.descend(points, start, &BRIEF);
         }
     }
 
+    /// Descends from a model and files the result by its geometric distance.
     fn descend(&mut self, points: &PointSet, start: &Model, effort: &Effort) {
         if let Some(descent) = descend(points, start, effort) {
             self.passes += descent.passes;
@@ -93,4 +124,13 @@ impl Search {
             self.candidates.insert(place, descent);
         }
     }
+}
+
+/// Whether two models that brief descents have ended in are on the way to one minimum.
+fn is_same_minimum(a: &Model, b: &Model) -> bool {
+    let (a, b) = (a.canonical().shape, b.canonical().shape);
+    let sizes = a.size().into_iter().zip(b.size());
+    let exponents = a.exponents().into_iter().zip(b.exponents());
+    sizes.into_iter().all(|(a, b)| (a - b).abs() <= SAME_SIZE * a)
+        && exponents.into_iter().all(|(a, b)| (a - b).abs() <= SAME_EXPONENT)
 }

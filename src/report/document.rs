@@ -191,10 +191,40 @@ impl FitDocument {
 
     /// Indented JSON with a final newline.
     pub fn to_json(&self) -> String {
-        let json = serde_json::to_string_pretty(self);
-        // Maps with string keys and finite or null numbers always have a JSON form.
-        json.expect("a fit is representable in JSON") + "\n"
+        to_json(self)
     }
+}
+
+/// What is known of a model, besides its parameters.
+#[derive(Debug, Clone, Serialize)]
+pub struct InfoDocument {
+    #[serde(flatten)]
+    model: ModelDocument,
+    extents: [f64; 3],
+    volume: f64,
+    bounding_box: [[f64; 3]; 2],
+}
+
+impl InfoDocument {
+    /// The document of a model.
+    pub fn new(model: &Model) -> Self {
+        Self {
+            model: model.into(),
+            extents: model.shape.size().map(|a| 2.0 * a),
+            volume: model.shape.volume(),
+            bounding_box: model.bounding_box().map(Into::into),
+        }
+    }
+
+    /// Indented JSON with a final newline.
+    pub fn to_json(&self) -> String {
+        to_json(self)
+    }
+}
+
+fn to_json(document: &impl Serialize) -> String {
+    // Keys are strings and numbers are numbers or null: that always has a JSON form.
+    serde_json::to_string_pretty(document).expect("the document is representable in JSON") + "\n"
 }
 
 #[cfg(test)]

@@ -3,5 +3,7 @@
 mod document;
 mod table;
 
-pub use document::{DocumentError, FIT_SCHEMA, FitDocument, ModelDocument, model_from_json};
+pub use document::{
+    DocumentError, FIT_SCHEMA, FitDocument, InfoDocument, ModelDocument, model_from_json,
+};
 pub use table::{fit_table, model_table};

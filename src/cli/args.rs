@@ -1,0 +1,105 @@
+//! What can be typed.
+
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+
+use clap::{Parser, Subcommand};
+use clap_complete::Shell;
+
+use crate::surface::Resolution;
+
+/// Recovers superquadrics from range points, and tells what there is to know of them.
+#[derive(Debug, Parser)]
+#[command(name = "superquadric", version, about, after_long_help = AFTER_HELP)]
+pub(super) struct Args {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+const AFTER_HELP: &str = "\
+Examples:
+  superquadric fit cloud.ply                       what shape is it?
+  superquadric fit cloud.ply -o fit.json --mesh fit.ply
+  superquadric fit - -o - < cloud.xyz              from stdin, JSON to stdout
+  superquadric mesh fit.json -o shape.stl
+  superquadric info fit.json
+
+Exit codes:
+  0  done
+  1  done, but the fit cannot be trusted
+  2  bad input or usage
+
+A model is a superellipsoid
+  ((|x|/a1)^(2/e2) + (|y|/a2)^(2/e2))^(e2/e1) + (|z|/a3)^(2/e1) = 1
+with semi-axes a1 a2 a3 in the cloud's own unit and exponents e1 (north-south) and e2
+(east-west), turned by Euler angles ZYZ and moved to its centre. Exponents near 0 are boxes, 1 is
+round, 2 is bevelled.";
+
+#[derive(Debug, Subcommand)]
+pub(super) enum Command {
+    Fit(FitArgs),
+    Mesh(MeshArgs),
+    Info(InfoArgs),
+    Completions(CompletionsArgs),
+}
+
+/// Recover a superellipsoid from a point cloud.
+///
+/// Prints what was found; with -o writes it as JSON too. A fit that cannot be trusted says why,
+/// and exits with 1.
+#[derive(Debug, clap::Args)]
+pub(super) struct FitArgs {
+    /// Point cloud: PLY, PCD, NPY or text (XYZ, CSV), told by its content; - is stdin.
+    pub cloud: PathBuf,
+    /// Write the fit as JSON to this file; - is stdout, in place of the table.
+    #[arg(short, long, value_name = "FIT.json")]
+    pub output: Option<PathBuf>,
+    /// Write a mesh of the recovered surface: .ply, .obj or .stl.
+    #[arg(long, value_name = "MESH")]
+    pub mesh: Option<PathBuf>,
+    /// Segments along each edge of the mesh's lattice (even).
+    #[arg(long, value_name = "N", default_value = "32", value_parser = resolution)]
+    pub resolution: Resolution,
+    /// Seed of the choice of points that the coarse search looks at.
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u64,
+    /// Threads to use [default: as many as the machine offers]. They change the time, not the
+    /// result.
+    #[arg(long, value_name = "N")]
+    pub threads: Option<NonZeroUsize>,
+}
+
+/// Write a mesh of a model's surface.
+#[derive(Debug, clap::Args)]
+pub(super) struct MeshArgs {
+    /// A fit or a bare model in JSON; - is stdin.
+    pub model: PathBuf,
+    /// File to write: .ply, .obj or .stl.
+    #[arg(short, long, value_name = "MESH")]
+    pub output: PathBuf,
+    /// Segments along each edge of the mesh's lattice (even).
+    #[arg(long, value_name = "N", default_value = "32", value_parser = resolution)]
+    pub resolution: Resolution,
+}
+
+/// Tell what is known of a model: axes, extents, volume, bounding box.
+#[derive(Debug, clap::Args)]
+pub(super) struct InfoArgs {
+    /// A fit or a bare model in JSON; - is stdin.
+    pub model: PathBuf,
+    /// Print JSON instead of a table.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Print shell completions.
+#[derive(Debug, clap::Args)]
+pub(super) struct CompletionsArgs {
+    /// Shell to complete for.
+    pub shell: Shell,
+}
+
+fn resolution(text: &str) -> Result<Resolution, String> {
+    let segments = text.parse().map_err(|_| "expected a whole number".to_owned())?;
+    Resolution::new(segments).map_err(|error| error.to_string())
+}

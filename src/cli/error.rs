@@ -1,0 +1,37 @@
+//! Everything that can end a command, each naming the file it is about.
+
+use std::io;
+
+use thiserror::Error;
+
+use crate::cloud::ReadError;
+use crate::output::OutputError;
+use crate::recover::FitError;
+use crate::report::DocumentError;
+use crate::surface::format::UnknownMeshFormat;
+
+/// Why a command has failed.
+#[derive(Debug, Error)]
+pub(super) enum CliError {
+    #[error(transparent)]
+    Cloud(#[from] ReadError),
+    #[error("{name}: {source}")]
+    Fit { name: String, source: FitError },
+    #[error("cannot read {name}: {source}")]
+    Input { name: String, source: io::Error },
+    #[error("{name}: {source}")]
+    Document { name: String, source: DocumentError },
+    #[error(transparent)]
+    MeshFormat(#[from] UnknownMeshFormat),
+    #[error(transparent)]
+    Output(#[from] OutputError),
+    #[error("cannot write to stdout: {0}")]
+    Stdout(io::Error),
+}
+
+impl CliError {
+    /// Whether the reader of stdout has gone away.
+    pub fn is_broken_pipe(&self) -> bool {
+        matches!(self, Self::Stdout(error) if error.kind() == io::ErrorKind::BrokenPipe)
+    }
+}

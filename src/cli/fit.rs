@@ -1,0 +1,36 @@
+//! `superquadric fit`: a cloud in, a model out.
+
+use std::time::Instant;
+
+use super::args::FitArgs;
+use super::error::CliError;
+use super::input::{is_stream, name, read_cloud};
+use super::output::{print, write_mesh, write_text};
+use super::{DONE, UNTRUSTED};
+use crate::recover::{FitOptions, fit};
+use crate::report::{FitDocument, fit_table};
+use crate::surface::format::MeshFormat;
+
+pub(super) fn run(args: &FitArgs) -> Result<u8, CliError> {
+    if let Some(mesh) = &args.mesh {
+        // Refused before the work rather than after it.
+        MeshFormat::from_extension(mesh)?;
+    }
+    let cloud = read_cloud(&args.cloud)?;
+    let options = FitOptions { seed: args.seed, threads: args.threads };
+    let start = Instant::now();
+    let fit = fit(&cloud, &options)
+        .map_err(|source| CliError::Fit { name: name(&args.cloud), source })?;
+    let seconds = start.elapsed().as_secs_f64();
+
+    if let Some(mesh) = &args.mesh {
+        write_mesh(mesh, &fit.model, args.resolution)?;
+    }
+    if let Some(output) = &args.output {
+        write_text(output, &FitDocument::new(&fit, seconds).to_json())?;
+    }
+    if args.output.as_deref().is_none_or(|output| !is_stream(output)) {
+        print(&fit_table(&fit, seconds))?;
+    }
+    Ok(if fit.is_trusted() { DONE } else { UNTRUSTED })
+}

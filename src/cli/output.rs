@@ -1,0 +1,36 @@
+//! Outputs: a file that is written whole or not at all, or stdout.
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use super::error::CliError;
+use super::input::is_stream;
+use crate::model::Model;
+use crate::output::write_whole;
+use crate::surface::format::MeshFormat;
+use crate::surface::{Resolution, tessellate};
+
+/// Writes text to a file, or to stdout where `-` was typed.
+pub(super) fn write_text(path: &Path, text: &str) -> Result<(), CliError> {
+    if is_stream(path) {
+        return print(text);
+    }
+    Ok(write_whole(path, |writer| writer.write_all(text.as_bytes()))?)
+}
+
+/// Prints text to stdout.
+pub(super) fn print(text: &str) -> Result<(), CliError> {
+    let mut stdout = io::stdout().lock();
+    stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()).map_err(CliError::Stdout)
+}
+
+/// Writes the mesh of a model, in the world, in the format of the file's extension.
+pub(super) fn write_mesh(
+    path: &Path,
+    model: &Model,
+    resolution: Resolution,
+) -> Result<(), CliError> {
+    let format = MeshFormat::from_extension(path)?;
+    let mesh = tessellate(&model.shape, resolution).transformed(&model.pose);
+    Ok(write_whole(path, |writer| format.write(&mesh, writer))?)
+}
