@@ -63,6 +63,14 @@ def test_seed_and_threads_are_passed_on(points):
         superquadric.fit(points, speed=3)
 
 
+def test_each_distance_is_least_where_it_is_minimised(points):
+    radial, geometric = (superquadric.fit(points, distance=d) for d in ("radial", "geometric"))
+    assert radial.rms_radial < geometric.rms_radial
+    assert geometric.rms_geometric < radial.rms_geometric
+    with pytest.raises(ValueError, match="'radial' or 'geometric', found 'vertical'"):
+        superquadric.fit(points, distance="vertical")
+
+
 @pytest.mark.parametrize(
     ("points", "message"),
     [
@@ -91,6 +99,10 @@ def long_cloud():
 def test_signals_are_handled_during_a_fit_and_can_end_it(long_cloud):
     handled, completed = [], []
 
+    def fit_for_ever():
+        while True:
+            completed.append(superquadric.fit(long_cloud, threads=1))
+
     def interrupt(signal_number, frame):
         handled.append(signal_number)
         if len(handled) == 3:
@@ -100,8 +112,7 @@ def test_signals_are_handled_during_a_fit_and_can_end_it(long_cloud):
     signal.setitimer(signal.ITIMER_REAL, 0.001, 0.001)
     try:
         with pytest.raises(InterruptError):
-            while True:
-                completed.append(superquadric.fit(long_cloud, threads=1))
+            fit_for_ever()
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, previous)
