@@ -48,6 +48,8 @@ pub mod math;
 pub mod model;
 pub mod output;
 pub mod pose;
+#[cfg(feature = "python")]
+mod python;
 pub mod recover;
 pub mod report;
 pub mod shape;

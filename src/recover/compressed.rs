@@ -23,7 +23,7 @@ const PIVOT_TOLERANCE: f64 = 1e-13;
 pub(crate) struct Evaluation {
     pub coordinates: Coordinates,
     /// The model there, and the Gram matrix of its rows by local parameters; none outside the
-    /// domain.
+    /// domain or after an interruption.
     pub model_and_gram: Option<(Model, Gram)>,
 }
 
@@ -34,7 +34,8 @@ impl Evaluation {
     }
 }
 
-/// The problem around one model. `rows` gives the Gram matrix of a model's rows.
+/// The problem around one model. `rows` gives the Gram matrix of a model's rows; none once the
+/// fit is interrupted, after which no step is taken any more.
 pub(crate) struct CompressedProblem<R> {
     chart: Chart,
     rows: R,
@@ -45,7 +46,7 @@ pub(crate) struct CompressedProblem<R> {
     pub passes: usize,
 }
 
-impl<R: Fn(&Model) -> Gram> CompressedProblem<R> {
+impl<R: Fn(&Model) -> Option<Gram>> CompressedProblem<R> {
     /// The problem, evaluated at the model it starts from.
     pub fn around(start: &Model, rows: R) -> Self {
         let (chart, coordinates) = Chart::around(start);
@@ -63,13 +64,13 @@ impl<R: Fn(&Model) -> Gram> CompressedProblem<R> {
 
     fn evaluate(&mut self, coordinates: &Coordinates) -> Evaluation {
         let model = self.chart.model(coordinates);
-        self.passes += usize::from(model.is_some());
-        let model_and_gram = model.map(|model| (model, (self.rows)(&model)));
+        let model_and_gram = model.and_then(|model| Some((model, (self.rows)(&model)?)));
+        self.passes += usize::from(model_and_gram.is_some());
         Evaluation { coordinates: *coordinates, model_and_gram }
     }
 }
 
-impl<R: Fn(&Model) -> Gram> LeastSquaresProblem<f64, Const<COLUMNS>, Const<PARAMETERS>>
+impl<R: Fn(&Model) -> Option<Gram>> LeastSquaresProblem<f64, Const<COLUMNS>, Const<PARAMETERS>>
     for CompressedProblem<R>
 {
     type ResidualStorage = Owned<f64, Const<COLUMNS>>;
@@ -226,7 +227,7 @@ mod tests {
         let rows = |model: &Model| {
             let view = ModelView::new(&normalization, model, Residual::Radial);
             let points = [&columns[0][..], &columns[1], &columns[2]];
-            gram(&view, points, false)
+            Some(gram(&view, points, false))
         };
         let (chart, coordinates) = Chart::around(&start());
         let full = FullProblem { chart, coordinates, points };

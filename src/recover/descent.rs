@@ -11,7 +11,7 @@ use crate::cloud::PointColumns;
 use crate::model::Model;
 
 /// The points that a run looks at, and how they are normalised.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub(crate) struct PointSet<'a> {
     pub points: PointColumns<'a>,
     pub normalization: &'a Normalization,
@@ -19,7 +19,12 @@ pub(crate) struct PointSet<'a> {
     pub parallel: bool,
     /// What is minimised.
     pub residual: Residual,
+    /// Whether to give up; asked before every pass.
+    pub is_interrupted: Interrupt<'a>,
 }
+
+/// A question to the caller: is the fit to end without a result? Once it is, it stays so.
+pub(crate) type Interrupt<'a> = &'a (dyn Fn() -> bool + Sync);
 
 impl PointSet<'_> {
     /// The number of points.
@@ -27,10 +32,13 @@ impl PointSet<'_> {
         self.points[0].len()
     }
 
-    /// The Gram matrix of the rows of a model (normalised coordinates).
-    pub fn gram(&self, model: &Model) -> Gram {
+    /// The Gram matrix of the rows of a model (normalised coordinates); none if interrupted.
+    pub fn gram(&self, model: &Model) -> Option<Gram> {
+        if (self.is_interrupted)() {
+            return None;
+        }
         let view = ModelView::new(self.normalization, model, self.residual);
-        gram(&view, self.points, self.parallel)
+        Some(gram(&view, self.points, self.parallel))
     }
 }
 
@@ -67,7 +75,8 @@ pub(crate) struct Descent {
 /// Runs that an exponent resting at its bound may cause, by being released.
 const RELEASES: usize = 2;
 
-/// Minimises the residuals of the points from a start. None if the start itself is out of bounds.
+/// Minimises the residuals of the points from a start. None if the start itself is out of bounds,
+/// or the fit is interrupted before the first pass.
 ///
 /// Within a run an exponent that has passed its bound rests there; if the minimum of the others
 /// leaves it drawn back inside, another run follows from there.

@@ -43,4 +43,7 @@ pub enum FitError {
         /// What the system says.
         reason: String,
     },
+    /// The caller has asked to stop.
+    #[error("the fit was interrupted")]
+    Interrupted,
 }

@@ -22,7 +22,7 @@ mod switches;
 mod uncertainty;
 
 pub use error::FitError;
-pub use fit::fit;
+pub use fit::{fit, fit_unless};
 pub use geometric::geometric_row;
 pub use options::{Distance, FitOptions};
 pub use radial::{PARAMETERS, Row, radial_row};
