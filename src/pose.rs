@@ -8,6 +8,10 @@ use crate::error::ModelError;
 /// written with eight digits passes.
 const ORTHONORMALITY_TOLERANCE: f64 = 1e-6;
 
+/// Largest departure of a matrix whose entries are a rotation's, rounded: it is taken as it is,
+/// so that a rotation that was written comes back the same.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
 /// Largest `sin(theta)` at which the Euler angles phi and psi cannot be told apart any more:
 /// the entries that separate them are then within rounding of zero.
 const GIMBAL_TOLERANCE: f64 = 1e-12;
@@ -41,7 +45,7 @@ impl Pose {
         Self::new(rotation, translation)
     }
 
-    /// A pose of a rotation matrix, made exactly orthonormal, and the model's centre.
+    /// A pose of a rotation matrix, made orthonormal to rounding, and the model's centre.
     ///
     /// # Errors
     /// If the matrix is not a proper rotation to within 1e-6.
@@ -55,7 +59,13 @@ impl Pose {
         if !is_rotation {
             return Err(ModelError::NotARotation { defect });
         }
-        Ok(Self::new(orthonormalized(matrix), translation))
+        let is_rounded = defect <= ROUNDING;
+        let rotation = if is_rounded {
+            Rotation3::from_matrix_unchecked(matrix)
+        } else {
+            orthonormalized(matrix)
+        };
+        Ok(Self::new(rotation, translation))
     }
 
     /// The rotation from model to world; its columns are the model's axes in the world.
@@ -153,6 +163,20 @@ mod tests {
             let again = Pose::from_euler_zyz([phi, theta, psi], Vector3::zeros());
             let error = (again.rotation().matrix() - pose.rotation().matrix()).amax();
             assert!(error < TOLERANCE, "{angles:?}: {error}");
+        }
+    }
+
+    #[test]
+    fn a_rotation_comes_back_from_its_matrix_unchanged_and_a_written_one_orthonormal() {
+        for angles in angles() {
+            let pose = Pose::from_euler_zyz(angles, Vector3::zeros());
+            let matrix = *pose.rotation().matrix();
+            assert_eq!(Pose::from_matrix(matrix, Vector3::zeros()), Ok(pose));
+            let written = matrix.map(|entry| (entry * 1e8).round() * 1e-8);
+            let read = Pose::from_matrix(written, Vector3::zeros()).unwrap();
+            let read = read.rotation().matrix();
+            assert!((read.transpose() * read - Matrix3::identity()).amax() < TOLERANCE);
+            assert!((read - matrix).amax() < 1e-7);
         }
     }
 

@@ -23,7 +23,7 @@ const PIVOT_TOLERANCE: f64 = 1e-13;
 pub(crate) struct Evaluation {
     pub coordinates: Coordinates,
     /// The model there, and the Gram matrix of its rows by local parameters; none outside the
-    /// domain.
+    /// domain or after an interruption.
     pub model_and_gram: Option<(Model, Gram)>,
 }
 
@@ -34,7 +34,8 @@ impl Evaluation {
     }
 }
 
-/// The problem around one model. `rows` gives the Gram matrix of a model's rows.
+/// The problem around one model. `rows` gives the Gram matrix of a model's rows; none once the
+/// fit is interrupted, after which no step is taken any more.
 pub(crate) struct CompressedProblem<R> {
     chart: Chart,
     rows: R,
@@ -45,7 +46,7 @@ pub(crate) struct CompressedProblem<R> {
     pub passes: usize,
 }
 
-impl<R: Fn(&Model) -> Gram> CompressedProblem<R> {
+impl<R: Fn(&Model) -> Option<Gram>> CompressedProblem<R> {
     /// The problem, evaluated at the model it starts from.
     pub fn around(start: &Model, rows: R) -> Self {
         let (chart, coordinates) = Chart::around(start);
@@ -63,13 +64,13 @@ impl<R: Fn(&Model) -> Gram> CompressedProblem<R> {
 
     fn evaluate(&mut self, coordinates: &Coordinates) -> Evaluation {
         let model = self.chart.model(coordinates);
-        self.passes += usize::from(model.is_some());
-        let model_and_gram = model.map(|model| (model, (self.rows)(&model)));
+        let model_and_gram = model.and_then(|model| Some((model, (self.rows)(&model)?)));
+        self.passes += usize::from(model_and_gram.is_some());
         Evaluation { coordinates: *coordinates, model_and_gram }
     }
 }
 
-impl<R: Fn(&Model) -> Gram> LeastSquaresProblem<f64, Const<COLUMNS>, Const<PARAMETERS>>
+impl<R: Fn(&Model) -> Option<Gram>> LeastSquaresProblem<f64, Const<COLUMNS>, Const<PARAMETERS>>
     for CompressedProblem<R>
 {
     type ResidualStorage = Owned<f64, Const<COLUMNS>>;
@@ -136,4 +137,125 @@ fn factor(matrix: &SMatrix<f64, COLUMNS, COLUMNS>) -> SMatrix<f64, COLUMNS, COLU
         }
     }
     r
+}
+
+#[cfg(test)]
+mod tests {
+    use levenberg_marquardt::LevenbergMarquardt;
+    use nalgebra::{DMatrix, DVector, Dyn, OMatrix, Rotation3, Vector3};
+    use rand::{RngExt, SeedableRng};
+    use rand_chacha::ChaCha8Rng;
+
+    use super::*;
+    use crate::pose::Pose;
+    use crate::recover::radial::radial_row;
+    use crate::shape::Superellipsoid;
+    use crate::surface::sample_surface;
+
+    /// All rows, one a point, as the optimiser would take them without compression.
+    struct FullProblem {
+        chart: Chart,
+        coordinates: Coordinates,
+        points: Vec<Vector3<f64>>,
+    }
+
+    impl FullProblem {
+        fn rows(&self) -> (DVector<f64>, OMatrix<f64, Dyn, Const<PARAMETERS>>) {
+            let model = self.chart.model(&self.coordinates).unwrap();
+            let (size, exponents) = (model.shape.size(), model.shape.exponents());
+            let transform =
+                self.chart.local_from_coordinates(&self.coordinates, model.pose.rotation());
+            let rows: Vec<_> = self
+                .points
+                .iter()
+                .map(|x| radial_row(model.pose.model_from_world(x).into(), &size, &exponents))
+                .collect();
+            let local = DMatrix::from_fn(rows.len(), PARAMETERS, |i, j| rows[i].gradient[j]);
+            (DVector::from_fn(rows.len(), |i, _| rows[i].distance), local * transform)
+        }
+    }
+
+    impl LeastSquaresProblem<f64, Dyn, Const<PARAMETERS>> for FullProblem {
+        type ResidualStorage = Owned<f64, Dyn>;
+        type JacobianStorage = Owned<f64, Dyn, Const<PARAMETERS>>;
+        type ParameterStorage = Owned<f64, Const<PARAMETERS>>;
+
+        fn set_params(&mut self, coordinates: &Coordinates) {
+            self.coordinates = *coordinates;
+        }
+
+        fn params(&self) -> Coordinates {
+            self.coordinates
+        }
+
+        fn residuals(&self) -> Option<DVector<f64>> {
+            Some(self.rows().0)
+        }
+
+        fn jacobian(&self) -> Option<OMatrix<f64, Dyn, Const<PARAMETERS>>> {
+            Some(self.rows().1)
+        }
+    }
+
+    fn noisy_points(rng: &mut ChaCha8Rng) -> Vec<Vector3<f64>> {
+        let truth = Superellipsoid::new([1.0, 0.6, 1.4], [0.5, 1.3]).unwrap();
+        let mut points = sample_surface(&truth, 2000, 5);
+        for point in &mut points {
+            *point += Vector3::from_fn(|_, _| rng.random_range(-0.02..0.02));
+        }
+        points
+    }
+
+    fn start() -> Model {
+        Model {
+            shape: Superellipsoid::new([1.2, 0.8, 1.0], [1.0, 1.0]).unwrap(),
+            pose: Pose::new(
+                Rotation3::from_euler_angles(0.1, -0.2, 0.15),
+                Vector3::new(0.1, 0.0, -0.1),
+            ),
+        }
+    }
+
+    #[test]
+    fn takes_the_same_steps_as_the_problem_of_all_rows() {
+        let points = noisy_points(&mut ChaCha8Rng::seed_from_u64(1));
+        let columns: [Vec<f64>; 3] =
+            std::array::from_fn(|k| points.iter().map(|point| point[k]).collect());
+        let normalization = crate::recover::normalization::Normalization::identity();
+        let rows = |model: &Model| {
+            let view = crate::recover::kernel::ModelView::new(&normalization, model);
+            let points = [&columns[0][..], &columns[1], &columns[2]];
+            Some(crate::recover::kernel::gram(&view, points, false))
+        };
+        let (chart, coordinates) = Chart::around(&start());
+        let full = FullProblem { chart, coordinates, points };
+        let optimiser = || {
+            LevenbergMarquardt::new().with_stepbound(1.0).with_scale_diag(false).with_ftol(1e-10)
+        };
+
+        let (full, full_report) = optimiser().minimize(full);
+        let (compressed, report) = optimiser().minimize(CompressedProblem::around(&start(), rows));
+
+        assert!(report.termination.was_successful(), "{:?}", report.termination);
+        assert_eq!(report.termination, full_report.termination);
+        assert_eq!(report.number_of_evaluations, full_report.number_of_evaluations);
+        let difference = (compressed.into_best().coordinates - full.coordinates).amax();
+        // The Gram matrix squares a condition number of 1e3; cost is flat to its root.
+        assert!(difference < 1e-9, "{difference:e}");
+        let relative = report.objective_function / full_report.objective_function - 1.0;
+        assert!(relative.abs() < 1e-13, "{relative:e}");
+    }
+
+    #[test]
+    fn the_factor_of_a_singular_matrix_leaves_out_what_is_not_determined() {
+        let mut rows = SMatrix::<f64, COLUMNS, COLUMNS>::zeros();
+        let mut rng = ChaCha8Rng::seed_from_u64(2);
+        for i in 0..5 {
+            (0..COLUMNS).for_each(|j| rows[(i, j)] = rng.random_range(-1.0..1.0));
+        }
+        let matrix = rows.transpose() * rows;
+        let r = factor(&matrix);
+        assert!((r.transpose() * r - matrix).amax() < 1e-12);
+        assert!((5..COLUMNS).all(|i| r.row(i).amax() == 0.0));
+    }
 }

@@ -10,13 +10,18 @@ use super::result::Termination;
 use crate::model::Model;
 
 /// The points that a run looks at, and how they are normalised.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub(crate) struct PointSet<'a> {
     pub points: PointColumns<'a>,
     pub normalization: &'a Normalization,
     /// Whether passes over the points are shared among threads.
     pub parallel: bool,
+    /// Whether to give up; asked before every pass.
+    pub is_interrupted: Interrupt<'a>,
 }
+
+/// A question to the caller: is the fit to end without a result? Once it is, it stays so.
+pub(crate) type Interrupt<'a> = &'a (dyn Fn() -> bool + Sync);
 
 impl PointSet<'_> {
     /// The number of points.
@@ -24,9 +29,10 @@ impl PointSet<'_> {
         self.points[0].len()
     }
 
-    /// The Gram matrix of the rows of a model (normalised coordinates).
-    pub fn gram(&self, model: &Model) -> Gram {
-        gram(&ModelView::new(self.normalization, model), self.points, self.parallel)
+    /// The Gram matrix of the rows of a model (normalised coordinates); none if interrupted.
+    pub fn gram(&self, model: &Model) -> Option<Gram> {
+        let pass = || gram(&ModelView::new(self.normalization, model), self.points, self.parallel);
+        (!(self.is_interrupted)()).then(pass)
     }
 }
 
@@ -63,7 +69,8 @@ pub(crate) struct Descent {
 /// Runs that an exponent resting at its bound may cause, by being released.
 const RELEASES: usize = 2;
 
-/// Minimises the radial distances from a start. None if the start itself is out of bounds.
+/// Minimises the radial distances from a start. None if the start itself is out of bounds, or
+/// the fit is interrupted before the first pass.
 ///
 /// Within a run an exponent that has passed its bound rests there; if the minimum of the others
 /// leaves it drawn back inside, another run follows from there.

@@ -24,7 +24,7 @@ const GREATEST_SIZE_ERROR: f64 = 0.1;
 /// Refuses clouds without an extent in at least two dimensions.
 pub(crate) fn require_extent(moments: &Moments) -> Result<(), FitError> {
     let spread = moments.normalization.radius;
-    if !(spread * spread).is_normal() {
+    if !spread.is_normal() || !spread.recip().is_normal() {
         return Err(FitError::OutOfRange { spread });
     }
     if moments.deviations[0] == 0.0 || LEAST_RESOLVED * moments.resolution >= 1.0 {

@@ -24,10 +24,9 @@ pub enum FitError {
     /// All points lie on one line.
     #[error("all points lie on one line: no solid can be told from them")]
     Collinear,
-    /// Coordinates so large or small that their squares are not numbers any more.
+    /// Coordinates at the end of the range of numbers.
     #[error(
-        "the points' coordinates, or their spread, are beyond what can be squared (spread \
-         {spread:e}): choose another unit"
+        "the points' spread, {spread:e}, is at the end of the range of numbers: change the unit"
     )]
     OutOfRange {
         /// RMS distance from the centroid, as far as it could be computed.
@@ -44,4 +43,7 @@ pub enum FitError {
         /// What the system says.
         reason: String,
     },
+    /// The caller has asked to stop.
+    #[error("the fit was interrupted")]
+    Interrupted,
 }

@@ -2,7 +2,7 @@
 
 use rayon::ThreadPoolBuilder;
 
-use super::descent::{Effort, PointSet, descend};
+use super::descent::{Effort, Interrupt, PointSet, descend};
 use super::doubt::{doubts, require_extent};
 use super::error::FitError;
 use super::normalization::Moments;
@@ -36,21 +36,44 @@ const FINISH: Effort = Effort { tolerance: 1e-8, patience: 16, step_bound: 1.0 }
 /// that cannot be squared. A fit that was found but deserves no trust is no error:
 /// see [`Fit::doubts`].
 pub fn fit(cloud: &PointCloud, options: &FitOptions) -> Result<Fit, FitError> {
-    match options.threads.map(usize::from) {
-        None => fit_in_pool(cloud, options, cloud.len() >= PARALLEL_POINTS),
-        Some(1) => fit_in_pool(cloud, options, false),
+    fit_unless(cloud, options, &|| false)
+}
+
+/// As [`fit`], given up once `is_interrupted` is true: it is asked before every pass over the
+/// points, from any thread, and must not become false again.
+///
+/// # Errors
+/// Those of [`fit`], and [`FitError::Interrupted`].
+pub fn fit_unless(
+    cloud: &PointCloud,
+    options: &FitOptions,
+    is_interrupted: &(dyn Fn() -> bool + Sync),
+) -> Result<Fit, FitError> {
+    let run = |parallel| fit_in_pool(cloud, options.seed, parallel, is_interrupted);
+    let is_large = cloud.len() >= PARALLEL_POINTS;
+    let result = match options.threads.map(usize::from) {
+        None => run(is_large),
+        Some(1) => run(false),
         Some(threads) => ThreadPoolBuilder::new()
             .num_threads(threads)
             .build()
             .map_err(|error| FitError::Threads { threads, reason: error.to_string() })?
-            .install(|| fit_in_pool(cloud, options, cloud.len() >= PARALLEL_POINTS)),
-    }
+            .install(|| run(is_large)),
+    };
+    // Passes may have been left out: whatever was found then does not count.
+    if is_interrupted() { Err(FitError::Interrupted) } else { result }
 }
 
-fn fit_in_pool(cloud: &PointCloud, options: &FitOptions, parallel: bool) -> Result<Fit, FitError> {
+fn fit_in_pool(
+    cloud: &PointCloud,
+    seed: u64,
+    parallel: bool,
+    is_interrupted: Interrupt,
+) -> Result<Fit, FitError> {
     let moments = normalize(cloud)?;
-    let all = PointSet { points: cloud.columns(), normalization: &moments.normalization, parallel };
-    let search = search(&all, &moments, options.seed);
+    let normalization = &moments.normalization;
+    let all = PointSet { points: cloud.columns(), normalization, parallel, is_interrupted };
+    let search = search(&all, &moments, seed);
     let (starts, mut passes) = (search.starts, search.passes);
     let mut best = search.into_best().ok_or(FitError::Unbounded)?;
     if all.len() > MEDIUM_POINTS {
@@ -58,18 +81,18 @@ fn fit_in_pool(cloud: &PointCloud, options: &FitOptions, parallel: bool) -> Resu
         passes += best.passes;
     }
 
-    let in_cloud = moments.normalization.cloud_from_normalized(&best.model);
+    let in_cloud = normalization.cloud_from_normalized(&best.model);
     Ok(Fit {
         model: in_cloud.canonical(),
         termination: best.termination,
         doubts: doubts(&best, &moments, cloud.len()),
-        rms_radial: best.mean_square.sqrt() * moments.normalization.radius,
-        rms_geometric: best.geometric_mean_square.sqrt() * moments.normalization.radius,
+        rms_radial: best.mean_square.sqrt() * normalization.radius,
+        rms_geometric: best.geometric_mean_square.sqrt() * normalization.radius,
         points: cloud.len(),
         points_skipped: cloud.skipped_rows().len(),
         evaluations: passes,
         starts,
-        seed: options.seed,
+        seed,
     })
 }
 
@@ -95,4 +118,37 @@ fn search(all: &PointSet, moments: &Moments, seed: u64) -> Search {
         search.refine(&PointSet { points: some.columns(), parallel: false, ..*all }, &MEDIUM);
     }
     search
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    use crate::shape::Superellipsoid;
+    use crate::surface::sample_surface;
+
+    fn cloud(points: usize) -> PointCloud {
+        let shape = Superellipsoid::new([1.0, 2.0, 3.0], [0.5, 1.2]).unwrap();
+        sample_surface(&shape, points, 0).into_iter().map(Into::into).collect()
+    }
+
+    #[test]
+    fn an_interrupted_fit_makes_no_further_pass_and_has_no_result() {
+        let cloud = cloud(20_000);
+        let passes = fit(&cloud, &FitOptions::default()).unwrap().evaluations;
+        for allowed in [0, 1, passes / 2, passes - 1] {
+            let asked = AtomicUsize::new(0);
+            let is_interrupted = || asked.fetch_add(1, Ordering::Relaxed) >= allowed;
+            let result = fit_unless(&cloud, &FitOptions::default(), &is_interrupted);
+            assert_eq!(result, Err(FitError::Interrupted));
+        }
+    }
+
+    #[test]
+    fn a_fit_that_is_never_interrupted_is_the_plain_one() {
+        let cloud = cloud(1_000);
+        let plain = fit(&cloud, &FitOptions::default());
+        assert_eq!(fit_unless(&cloud, &FitOptions::default(), &|| false), plain);
+    }
 }

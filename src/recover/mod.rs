@@ -21,7 +21,7 @@ mod switches;
 mod uncertainty;
 
 pub use error::FitError;
-pub use fit::fit;
+pub use fit::{fit, fit_unless};
 pub use options::FitOptions;
 pub use radial::{PARAMETERS, Row, radial_row};
 pub use result::{Doubt, Fit, Termination};

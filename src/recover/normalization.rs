@@ -51,19 +51,21 @@ pub(crate) struct Moments {
 }
 
 impl Moments {
-    /// Those of at least one point. A radius of zero (all points coincide) is replaced by one.
+    /// Those of at least one point. A radius of zero (all points coincide) is replaced by one;
+    /// that of a cloud at the end of the range of numbers is its reach, without axes.
     pub fn of(points: PointColumns) -> Self {
-        let count = points[0].len() as f64;
         let centroid = points.map(mean);
-        let mut scatter = Matrix3::zeros();
-        for i in 0..points[0].len() {
-            let d = Vector3::from_fn(|k, _| points[k][i] - centroid[k]);
-            scatter += d * d.transpose();
-        }
-        scatter /= count;
-        let spread = scatter.trace().sqrt();
-        let radius = if spread > 0.0 { spread } else { 1.0 };
-        let (axes, deviations) = principal_axes(&(scatter / (radius * radius)));
+        let reach = reach(points, &centroid);
+        let (radius, scatter) = if reach == 0.0 {
+            (1.0, Matrix3::zeros())
+        } else if !reach.recip().is_normal() {
+            (reach, Matrix3::zeros())
+        } else {
+            let scatter = scatter(points, &centroid, reach);
+            let spread = scatter.trace();
+            (reach * spread.sqrt(), scatter / spread)
+        };
+        let (axes, deviations) = principal_axes(&scatter);
         let greatest_magnitude = greatest_magnitude(points);
         Self {
             normalization: Normalization { centroid, radius, inverse_radius: radius.recip() },
@@ -79,6 +81,27 @@ impl Moments {
 fn mean(values: &[f64]) -> f64 {
     let first = values[0];
     first + values.iter().map(|value| value - first).sum::<f64>() / values.len() as f64
+}
+
+/// The greatest difference of a coordinate from the centroid's.
+fn reach(points: PointColumns, centroid: &[f64; 3]) -> f64 {
+    let greatest = |k: usize| {
+        points[k].iter().fold(0.0, |most: f64, value| most.max((value - centroid[k]).abs()))
+    };
+    greatest(0).max(greatest(1)).max(greatest(2))
+}
+
+/// Mean product of coordinates relative to the centroid, in units of `reach`, whose squares
+/// neither overflow nor vanish.
+fn scatter(points: PointColumns, centroid: &[f64; 3], reach: f64) -> Matrix3<f64> {
+    let [xs, ys, zs] = points;
+    let [cx, cy, cz] = centroid;
+    let mut scatter = Matrix3::zeros();
+    for ((x, y), z) in xs.iter().zip(ys).zip(zs) {
+        let d = Vector3::new(x - cx, y - cy, z - cz) * reach.recip();
+        scatter += d * d.transpose();
+    }
+    scatter / xs.len() as f64
 }
 
 fn greatest_magnitude(points: PointColumns) -> f64 {

@@ -64,9 +64,9 @@ impl Gram {
         for row in (0..COLUMNS).step_by(TILE) {
             for column in (row..COLUMNS).step_by(TILE) {
                 let sums = P::products(&rows.columns, row, column);
-                for i in 0..TILE {
-                    for j in 0..TILE {
-                        self.matrix[row + i][column + j] += sums[i][j];
+                for (entries, sums) in self.matrix[row..].iter_mut().zip(sums) {
+                    for (entry, sum) in entries[column..].iter_mut().zip(sums) {
+                        *entry += sum;
                     }
                 }
             }

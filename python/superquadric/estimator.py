@@ -1,0 +1,100 @@
+"""An estimator after the conventions of scikit-learn, which it does not import."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._core import Fit, Superellipsoid, fit
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+INLIER_RMS = 3.0
+"""Radial distance, in radial RMS of the fit, up to which a row counts as an inlier."""
+
+
+_OPTIONS = ("seed", "threads")
+
+
+class SuperquadricEstimator:
+    """Recovers a superellipsoid by `fit`, its options being parameters of the estimator.
+
+    Args:
+        seed: chooses the points that the first, coarse fits look at.
+        threads: how many to use; by default as many as the machine offers.
+
+    Attributes:
+        model_: the recovered model.
+        fit_: the model with the evidence for it.
+        inlier_mask_: bool of shape (n,), true for finite rows whose radial distance from the
+            model is at most three times the fit's radial RMS.
+        n_features_in_: 3.
+    """
+
+    model_: Superellipsoid
+    fit_: Fit
+    inlier_mask_: NDArray[np.bool_]
+    n_features_in_: int
+
+    def __init__(self, *, seed: int = 0, threads: int | None = None) -> None:
+        """Store the options as they are; `fit` checks them."""
+        self.seed = seed
+        self.threads = threads
+
+    def fit(self, X: ArrayLike, y: object = None) -> SuperquadricEstimator:  # noqa: N803
+        """Fit points of shape (n, 3); `y` is ignored.
+
+        Returns:
+            The estimator itself.
+
+        Raises:
+            ArrayError: if the shape is not (n, 3).
+            FitError: if the points do not determine a solid.
+        """
+        points = np.asarray(X)
+        self.fit_ = fit(points, seed=self.seed, threads=self.threads)
+        self.model_ = self.fit_.model
+        distance = np.abs(self.model_.radial_distance(points))
+        # Rows that are not finite are at no distance: NaN is not below the bound.
+        self.inlier_mask_ = distance <= INLIER_RMS * self.fit_.rms_radial
+        self.n_features_in_ = 3
+        return self
+
+    def score(self, X: ArrayLike, y: object = None) -> float:  # noqa: N803
+        """Rate how well the model explains points of shape (n, 3): 0 at best, else negative.
+
+        Returns:
+            Minus the root mean square of the radial distances of the finite rows, over the mean
+            semi-axis; NaN without finite rows.
+        """
+        distance = self.model_.radial_distance(X)
+        distance = distance[np.isfinite(distance)]
+        if distance.size == 0:
+            return float("nan")
+        return -float(np.sqrt(np.mean(distance**2))) / self.model_.mean_semi_axis
+
+    def get_params(self, deep: bool = True) -> dict[str, Any]:
+        """Return the options by name; `deep` makes no difference."""
+        return {name: getattr(self, name) for name in _OPTIONS}
+
+    def set_params(self, **params: Any) -> SuperquadricEstimator:
+        """Change options by name.
+
+        Returns:
+            The estimator itself.
+
+        Raises:
+            ValueError: if there is no option of that name.
+        """
+        for name, value in params.items():
+            if name not in _OPTIONS:
+                raise ValueError(f"no option {name!r}; there are {', '.join(_OPTIONS)}")
+            setattr(self, name, value)
+        return self
+
+    def __repr__(self) -> str:
+        """Show the options."""
+        options = ", ".join(f"{name}={value!r}" for name, value in self.get_params().items())
+        return f"SuperquadricEstimator({options})"

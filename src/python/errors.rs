@@ -1,0 +1,92 @@
+//! The core's errors as Python exceptions.
+
+use std::io;
+
+use pyo3::create_exception;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use crate::cloud::{Problem, ReadError};
+use crate::error::ModelError as CoreModelError;
+use crate::output::OutputError;
+use crate::recover::FitError as CoreFitError;
+use crate::report::DocumentError as CoreDocumentError;
+use crate::surface::ResolutionError;
+
+create_exception!(
+    superquadric,
+    SuperquadricError,
+    PyValueError,
+    "What this package cannot work with; base of its exceptions."
+);
+create_exception!(superquadric, ArrayError, SuperquadricError, "An array of the wrong shape.");
+create_exception!(
+    superquadric,
+    CloudError,
+    SuperquadricError,
+    "A file that does not hold a point cloud."
+);
+create_exception!(
+    superquadric,
+    FitError,
+    SuperquadricError,
+    "A point cloud that does not determine a solid."
+);
+create_exception!(
+    superquadric,
+    ModelError,
+    SuperquadricError,
+    "Parameters of a model outside their domain."
+);
+create_exception!(
+    superquadric,
+    DocumentError,
+    SuperquadricError,
+    "JSON that does not hold a model."
+);
+
+impl From<CoreModelError> for PyErr {
+    fn from(error: CoreModelError) -> Self {
+        ModelError::new_err(error.to_string())
+    }
+}
+
+impl From<CoreFitError> for PyErr {
+    fn from(error: CoreFitError) -> Self {
+        FitError::new_err(error.to_string())
+    }
+}
+
+impl From<CoreDocumentError> for PyErr {
+    fn from(error: CoreDocumentError) -> Self {
+        DocumentError::new_err(error.to_string())
+    }
+}
+
+impl From<ResolutionError> for PyErr {
+    fn from(error: ResolutionError) -> Self {
+        ModelError::new_err(error.to_string())
+    }
+}
+
+impl From<OutputError> for PyErr {
+    fn from(error: OutputError) -> Self {
+        os_error(error.source.kind(), error.to_string())
+    }
+}
+
+impl From<ReadError> for PyErr {
+    fn from(error: ReadError) -> Self {
+        let message = error.to_string();
+        match error.problem() {
+            Problem::Io(source) => os_error(source.kind(), message),
+            Problem::Directory => os_error(io::ErrorKind::IsADirectory, message),
+            _ => CloudError::new_err(message),
+        }
+    }
+}
+
+/// The `OSError`, or one of its subclasses, for a kind of failure.
+pub(super) fn os_error(kind: io::ErrorKind, message: String) -> PyErr {
+    io::Error::new(kind, message).into()
+}

@@ -1,0 +1,197 @@
+//! `superquadric.fit` and what it finds.
+
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+use std::time::Instant;
+
+use numpy::PyArray1;
+use pyo3::prelude::*;
+
+use super::arrays::point_cloud;
+use super::interrupt::interruptible;
+use super::model::PyModel;
+use crate::model::Model;
+use crate::output::write_whole;
+use crate::recover::{Fit, FitOptions, fit_unless};
+use crate::report::FitDocument;
+
+/// Recover a superellipsoid from points of its surface.
+///
+/// It is the one in general position that minimises the sum of squared radial Euclidean
+/// distances (JLS Eq. 2.43). The interpreter is released meanwhile, and Ctrl-C ends the fit.
+///
+/// Args:
+///     points: array of shape (n, 3), of any real type and memory order, in any unit. Rows that
+///         are not finite are skipped and counted.
+///     seed: chooses the points that the first, coarse fits look at.
+///     threads: how many to use; by default as many as the machine offers. The result does not
+///         depend on it.
+///
+/// Returns:
+///     The model with the evidence for it. A fit that deserves no trust is no error: see
+///     `Fit.trusted`.
+///
+/// Raises:
+///     ArrayError: if the shape is not (n, 3).
+///     TypeError: if the points are not real numbers.
+///     FitError: if they are fewer than the parameters, coincide, lie on one line, or have
+///         coordinates that cannot be squared.
+#[pyfunction]
+#[pyo3(signature = (points, *, seed = 0, threads = None))]
+pub(super) fn fit(
+    points: &Bound<'_, PyAny>,
+    seed: u64,
+    threads: Option<NonZeroUsize>,
+) -> PyResult<PyFit> {
+    let cloud = point_cloud("points", points)?;
+    let options = FitOptions { seed, threads };
+    let start = Instant::now();
+    let fit =
+        interruptible(points.py(), |is_interrupted| fit_unless(&cloud, &options, is_interrupted))??;
+    let seconds = start.elapsed().as_secs_f64();
+    Ok(PyFit { fit, seconds, skipped_rows: cloud.skipped_rows().to_vec() })
+}
+
+/// A recovered model with the evidence for it; made by `fit`.
+#[pyclass(frozen, name = "Fit", module = "superquadric")]
+pub(super) struct PyFit {
+    fit: Fit,
+    seconds: f64,
+    skipped_rows: Vec<usize>,
+}
+
+impl PyFit {
+    /// The recovered model.
+    pub fn model(&self) -> &Model {
+        &self.fit.model
+    }
+
+    fn document(&self) -> String {
+        FitDocument::new(&self.fit, self.seconds).to_json()
+    }
+}
+
+#[pymethods]
+impl PyFit {
+    /// The recovered model, in the points' frame and unit and in canonical form.
+    #[getter(model)]
+    fn py_model(&self) -> PyModel {
+        PyModel(self.fit.model)
+    }
+
+    /// Whether there is no reason to doubt the model.
+    #[getter]
+    fn trusted(&self) -> bool {
+        self.fit.is_trusted()
+    }
+
+    /// Reasons not to trust the model: pairs of a kind (`not_converged`, `poor_fit`, `flat` or
+    /// `uncertain_size`) and a message.
+    #[getter]
+    fn doubts(&self) -> Vec<(&'static str, String)> {
+        self.fit.doubts.iter().map(|doubt| (doubt.name(), doubt.to_string())).collect()
+    }
+
+    /// `converged` if the last descent ended at a minimum, else `stopped`.
+    #[getter]
+    fn status(&self) -> &'static str {
+        self.fit.termination.status()
+    }
+
+    /// Why the optimiser ended, in one word.
+    #[getter]
+    fn termination(&self) -> &'static str {
+        self.fit.termination.reason
+    }
+
+    /// Root mean square of the radial Euclidean distances (JLS Eq. 2.43), in the points' unit.
+    #[getter]
+    fn rms_radial(&self) -> f64 {
+        self.fit.rms_radial
+    }
+
+    /// Root mean square of the first-order geometric distances, in the points' unit.
+    #[getter]
+    fn rms_geometric(&self) -> f64 {
+        self.fit.rms_geometric
+    }
+
+    /// `rms_radial` over the mean semi-axis.
+    #[getter]
+    fn relative_rms(&self) -> f64 {
+        self.fit.relative_rms()
+    }
+
+    /// Number of points fitted.
+    #[getter]
+    fn points(&self) -> usize {
+        self.fit.points
+    }
+
+    /// Number of rows skipped because they were not finite.
+    #[getter]
+    fn points_skipped(&self) -> usize {
+        self.fit.points_skipped
+    }
+
+    /// Which rows of the array were fitted: bool of shape (n,), false for those skipped.
+    #[getter]
+    fn used_mask<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<bool>> {
+        let mut used = vec![true; self.fit.points + self.fit.points_skipped];
+        self.skipped_rows.iter().for_each(|&row| used[row] = false);
+        PyArray1::from_vec(py, used)
+    }
+
+    /// Evaluations of residuals and derivatives, over all stages.
+    #[getter]
+    fn evaluations(&self) -> usize {
+        self.fit.evaluations
+    }
+
+    /// Models that a descent was started from.
+    #[getter]
+    fn starts(&self) -> usize {
+        self.fit.starts
+    }
+
+    /// The seed given.
+    #[getter]
+    fn seed(&self) -> u64 {
+        self.fit.seed
+    }
+
+    /// Wall-clock time of the fit, in seconds.
+    #[getter]
+    fn seconds(&self) -> f64 {
+        self.seconds
+    }
+
+    /// The fit as JSON text of schema `superquadric.fit/1`, as the command line writes it.
+    fn to_json(&self) -> String {
+        self.document()
+    }
+
+    /// The fit as a dictionary of schema `superquadric.fit/1`.
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        py.import("json")?.call_method1("loads", (self.document(),))
+    }
+
+    /// Write the fit as JSON of schema `superquadric.fit/1`, whole or not at all.
+    ///
+    /// Raises:
+    ///     OSError: if the file cannot be written.
+    fn save(&self, path: PathBuf) -> PyResult<()> {
+        Ok(write_whole(path, |writer| writer.write_all(self.document().as_bytes()))?)
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "<Fit {} of {} points, {}, rms_radial={:.4e}: {}>",
+            self.status(),
+            self.fit.points,
+            if self.trusted() { "trusted" } else { "not trusted" },
+            self.fit.rms_radial,
+            self.py_model().__repr__(),
+        )
+    }
+}

@@ -1,0 +1,33 @@
+//! The Python package's extension module: the crate's own functions on NumPy arrays.
+
+mod arrays;
+mod errors;
+mod fit;
+mod interrupt;
+mod model;
+mod pose;
+mod read;
+mod score;
+
+use pyo3::prelude::*;
+
+/// Superquadrics in Rust; import `superquadric` instead.
+#[pymodule(name = "_core")]
+mod core {
+    #[pymodule_export]
+    use super::errors::{
+        ArrayError, CloudError, DocumentError, FitError, ModelError, SuperquadricError,
+    };
+    #[pymodule_export]
+    use super::fit::{PyFit, fit};
+    #[pymodule_export]
+    use super::model::PyModel;
+    #[pymodule_export]
+    use super::read::read;
+    #[pymodule_export]
+    use super::score::{PyScore, score};
+
+    #[pymodule_export]
+    #[expect(non_upper_case_globals, reason = "the name that Python expects")]
+    const __version__: &str = env!("CARGO_PKG_VERSION");
+}

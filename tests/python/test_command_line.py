@@ -1,0 +1,68 @@
+"""The command line and Python give the same numbers for the same cloud, options and seed."""
+
+import json
+import os
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import superquadric
+
+ROOT = Path(__file__).parents[2]
+VARIABLE = "SUPERQUADRIC_BINARY"
+
+
+@pytest.fixture(scope="module")
+def binary():
+    """The built command line: named by the environment, or where cargo puts it."""
+    if VARIABLE in os.environ:
+        return Path(os.environ[VARIABLE])
+    target = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
+    built = [target / profile / "superquadric" for profile in ("release", "debug")]
+    for path in built:
+        if path.exists():
+            return path
+    pytest.skip(f"no command line to compare with: build it, or set {VARIABLE}")
+
+
+def run(binary, *arguments, **options):
+    # The status tells whether the fit can be trusted: that too is compared.
+    result = subprocess.run(
+        [binary, "fit", *arguments, "-o", "-"], capture_output=True, check=False, **options
+    )
+    return json.loads(result.stdout)
+
+
+def without_time(document):
+    del document["fit"]["seconds"]
+    return document
+
+
+@pytest.mark.parametrize("seed", [0, 5])
+@pytest.mark.parametrize("count", [200, 30_000])
+def test_fits_are_the_same_to_the_last_bit(binary, tmp_path, model, count, seed):
+    noise = np.random.default_rng(seed).normal(scale=0.01, size=(count, 3))
+    cloud = model.sample(count, seed=seed) + noise
+    cloud[7, 1] = np.nan
+    np.save(tmp_path / "cloud.npy", cloud)
+    expected = without_time(superquadric.fit(cloud, seed=seed).to_dict())
+    found = run(binary, tmp_path / "cloud.npy", "--seed", str(seed))
+    assert without_time(found) == expected
+
+
+def test_a_cloud_from_stdin_is_the_same(binary, model):
+    cloud = model.sample(300)
+    text = "\n".join(" ".join(map(repr, row)) for row in cloud.tolist())
+    found = run(binary, "-", input=text.encode())
+    assert without_time(found) == without_time(superquadric.fit(cloud).to_dict())
+
+
+def test_doubts_are_the_same(binary, tmp_path):
+    plane = np.random.default_rng(0).uniform(size=(300, 3)) * [3, 2, 0]
+    np.save(tmp_path / "cloud.npy", plane)
+    fit = superquadric.fit(plane)
+    assert not fit.trusted
+    found = run(binary, tmp_path / "cloud.npy")
+    assert without_time(found) == without_time(fit.to_dict())
