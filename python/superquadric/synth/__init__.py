@@ -10,4 +10,4 @@ from .errors import MissingExtraError, SuiteError, SynthError
 from .generate import generate
 from .suite import Suite, read_suite
 
-__all__ = ["MissingExtraError", "SuiteError", "Suite", "SynthError", "generate", "read_suite"]
+__all__ = ["MissingExtraError", "Suite", "SuiteError", "SynthError", "generate", "read_suite"]

@@ -8,6 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .arrays import FloatArray
+
 GREATEST_COUNT = 65_535
 """Greatest value of a pixel of 16 bits; 0 stands for no depth."""
 
@@ -34,7 +36,7 @@ class Camera:
     height: int
     depth_unit: float
 
-    def rays(self) -> NDArray[np.float64]:
+    def rays(self) -> FloatArray:
         """Directions of the pixels' rays, of shape (height, width, 3), z being 1.
 
         Along these a ray's parameter is the depth. open3d's own `create_rays_pinhole` has the
@@ -44,19 +46,19 @@ class Camera:
         x, y = (u - self.cx) / self.fx, (v - self.cy) / self.fy
         return np.stack([x, y, np.ones_like(x)], axis=-1)
 
-    def project(self, points_camera: NDArray[np.float64]) -> NDArray[np.float64]:
+    def project(self, points_camera: FloatArray) -> FloatArray:
         """Columns and rows, of shape (n, 2), of points of shape (n, 3) in front of the camera."""
         x, y, z = points_camera.T
         return np.stack([self.cx + self.fx * x / z, self.cy + self.fy * y / z], axis=-1)
 
-    def counts(self, depth: NDArray[np.float64]) -> NDArray[np.uint16]:
+    def counts(self, depth: FloatArray) -> NDArray[np.uint16]:
         """Depths, of shape (height, width), as counts; 0 where there is none or it is too far."""
         counts = np.rint(np.where(np.isfinite(depth), depth, 0.0) / self.depth_unit)
         return np.where(counts > GREATEST_COUNT, 0, counts).astype(np.uint16)
 
-    def depth(self, counts: NDArray[np.uint16]) -> NDArray[np.float64]:
+    def depth(self, counts: NDArray[np.uint16]) -> FloatArray:
         """Depths of counts, of shape (height, width); 0 where there is none."""
-        return counts * self.depth_unit
+        return counts.astype(np.float64) * self.depth_unit
 
     def to_dict(self, unit: str) -> dict[str, Any]:
         """The camera as it is written, with the unit of lengths."""

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.random import Generator
-from numpy.typing import NDArray
 
 from .._core import Superellipsoid
+from .arrays import BoolArray, FloatArray
 
 GREATEST_SEED = 2**63
 
@@ -22,8 +22,8 @@ class Cloud:
         is_inlier: of shape (n,), false for strays and for mixed pixels.
     """
 
-    points: NDArray[np.float64]
-    is_inlier: NDArray[np.bool_]
+    points: FloatArray
+    is_inlier: BoolArray
 
 
 def sampled(model: Superellipsoid, count: int, deviation: float, rng: Generator) -> Cloud:

@@ -4,24 +4,31 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.random import Generator
-from numpy.typing import NDArray
 
 from .._core import Superellipsoid
+from .arrays import FloatArray
 
 
-def motion(rotation: NDArray[np.float64], translation: NDArray[np.float64]) -> NDArray[np.float64]:
+def motion(rotation: FloatArray, translation: FloatArray) -> FloatArray:
     """The motion `x -> rotation x + translation`."""
     matrix = np.eye(4)
     matrix[:3, :3], matrix[:3, 3] = rotation, translation
     return matrix
 
 
-def moved(b_from_a: NDArray[np.float64], points_a: NDArray[np.float64]) -> NDArray[np.float64]:
+def inverse(b_from_a: FloatArray) -> FloatArray:
+    """The motion `a_from_b`."""
+    rotation = b_from_a[:3, :3].T
+    return motion(rotation, -rotation @ b_from_a[:3, 3])
+
+
+def moved(b_from_a: FloatArray, points_a: FloatArray) -> FloatArray:
     """Points of shape (n, 3), moved from frame a to frame b."""
-    return points_a @ b_from_a[:3, :3].T + b_from_a[:3, 3]
+    points_b: FloatArray = points_a @ b_from_a[:3, :3].T + b_from_a[:3, 3]
+    return points_b
 
 
-def moved_model(b_from_a: NDArray[np.float64], model_a: Superellipsoid) -> Superellipsoid:
+def moved_model(b_from_a: FloatArray, model_a: Superellipsoid) -> Superellipsoid:
     """A model of frame a in frame b."""
     return Superellipsoid(
         model_a.size,
@@ -31,20 +38,27 @@ def moved_model(b_from_a: NDArray[np.float64], model_a: Superellipsoid) -> Super
     )
 
 
-def random_direction(rng: Generator) -> NDArray[np.float64]:
+def random_direction(rng: Generator) -> FloatArray:
     """A unit vector, of shape (3,), uniform on the sphere."""
     vector = rng.normal(size=3)
-    return vector / np.linalg.norm(vector)
+    direction: FloatArray = vector / np.linalg.norm(vector)
+    return direction
 
 
-def random_rotation(rng: Generator) -> NDArray[np.float64]:
+def random_rotation(rng: Generator) -> FloatArray:
     """A rotation matrix, uniform over all: that of a quaternion uniform on its sphere."""
-    w, *v = (q := rng.normal(size=4)) / np.linalg.norm(q)
-    cross = np.cross(np.eye(3), v)
-    return (w * w - np.dot(v, v)) * np.eye(3) + 2.0 * np.outer(v, v) - 2.0 * w * cross
+    quaternion = rng.normal(size=4)
+    w, x, y, z = quaternion / np.linalg.norm(quaternion)
+    return np.array(
+        [
+            [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
+            [2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)],
+            [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)],
+        ]
+    )
 
 
-def turn(angle: float) -> NDArray[np.float64]:
+def turn(angle: float) -> FloatArray:
     """Rotation matrix about the z axis."""
     c, s = np.cos(angle), np.sin(angle)
     return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])

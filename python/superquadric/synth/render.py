@@ -5,22 +5,23 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from .._core import Superellipsoid
+from .arrays import FloatArray
 from .camera import Camera
 from .extras import require
 from .view import View
 
 RESOLUTION = 128
-"""Of meshes: 200 thousand triangles, whose flatness then is well below a depth map's count."""
+"""Of meshes: 200 thousand triangles. For exponents from 0.1 to 1.9 they are within 3e-4 mean
+semi-axes of the surface, and within 3e-5 in the root mean square."""
 
 
 def render(
     model_camera: Superellipsoid,
     camera: Camera,
     *,
-    table_camera: NDArray[np.float64] | None = None,
+    table_camera: FloatArray | None = None,
     backdrop: float = math.inf,
 ) -> View:
     """The view of a model, and of what is behind it, all in the camera's frame.

@@ -12,10 +12,11 @@ from numpy.random import PCG64, Generator, SeedSequence
 from numpy.typing import NDArray
 
 from .._core import Superellipsoid
+from .arrays import BoolArray, FloatArray
 from .camera import Camera
 from .cloud import Cloud, sampled, split, thinned, with_strays
 from .errors import SynthError
-from .pose import moved, moved_model
+from .pose import inverse, moved, moved_model
 from .render import render
 from .sensor import read
 from .shapes import draw_model
@@ -42,8 +43,8 @@ class DepthImage:
     """
 
     counts: NDArray[np.uint16]
-    mask: NDArray[np.bool_]
-    camera_from_world: NDArray[np.float64]
+    mask: BoolArray
+    camera_from_world: FloatArray
 
 
 @dataclass(frozen=True)
@@ -70,7 +71,7 @@ class Scene:
 class _Streams(NamedTuple):
     """Random numbers of a scene's parts: what one part draws does not change the others."""
 
-    count: Generator
+    points: Generator
     model: Generator
     viewpoint: Generator
     measurement: Generator
@@ -94,14 +95,14 @@ def make_scene(suite: Suite, level: Level, index: int) -> Scene:
     name = f"{level.name}-{index:04d}"
     if isinstance(level.source, Whole):
         image, model, noise = None, model_world, _isotropic(level.source, model_world)
-        measured, strays = split(_count(level, streams.count), level.strays, level.points[1])
+        measured, strays = split(_count(level, streams.points), level.strays, level.points[1])
         cloud = sampled(model, measured, noise["sigma"], streams.measurement)
     else:
         image, pixels = _photograph(suite, level.source, model_world, streams, name)
         frame_from_world = image.camera_from_world if suite.frame == "camera" else np.eye(4)
         model, noise = moved_model(frame_from_world, model_world), _of_sensor(level.source)
         available = len(pixels.points)
-        measured, strays = split(_count(level, streams.count), level.strays, available)
+        measured, strays = split(_count(level, streams.points), level.strays, available)
         cloud = thinned(pixels, measured, streams.measurement)
     cloud = with_strays(cloud, model, suite.stray_box, strays, streams.strays)
     truth = {
@@ -152,7 +153,7 @@ def _surroundings(suite: Suite, image: DepthImage | None) -> dict[str, Any]:
     return found
 
 
-def table_plane(frame_from_world: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
+def table_plane(frame_from_world: FloatArray) -> tuple[FloatArray, float]:
     """Unit normal n, upwards, and offset d of the table's plane `n.x + d = 0` in a frame."""
     normal = frame_from_world[:3, 2]
     return normal, float(-normal @ frame_from_world[:3, 3])
@@ -180,11 +181,11 @@ def _photograph(
     if len(points_camera) < LEAST_POINTS:
         raise SynthError(f"{name}: the sensor sees no more than {len(points_camera)} points")
     if suite.frame == "world":
-        points_camera = moved(np.linalg.inv(camera_from_world), points_camera)
+        points_camera = moved(inverse(camera_from_world), points_camera)
     return image, Cloud(points_camera, is_inlier)
 
 
-def back_projected(camera: Camera, counts: NDArray[np.uint16]) -> NDArray[np.float64]:
+def back_projected(camera: Camera, counts: NDArray[np.uint16]) -> FloatArray:
     """Points of the pixels, of shape (height, width, 3), in the camera's frame."""
     return camera.rays() * camera.depth(counts)[..., None]
 
@@ -196,7 +197,7 @@ def _good_view(
     model_world: Superellipsoid,
     rng: Generator,
     name: str,
-) -> tuple[View, NDArray[np.float64]]:
+) -> tuple[View, FloatArray]:
     """The first view that shows all of the object in pixels enough, and `camera_from_world`."""
     for view, camera_from_world in _views(suite, camera, viewpoint, model_world, rng):
         if _is_within(view.is_object) and view.is_object.sum() >= LEAST_PIXELS:
@@ -212,7 +213,7 @@ def _views(
     viewpoint: Viewpoint,
     model_world: Superellipsoid,
     rng: Generator,
-) -> Iterator[tuple[View, NDArray[np.float64]]]:
+) -> Iterator[tuple[View, FloatArray]]:
     for _ in range(VIEWPOINTS):
         camera_from_world = draw_camera_from_world(
             model_world, suite.placement, viewpoint, camera, rng
@@ -226,12 +227,12 @@ def _views(
         yield render(model_camera, camera, table_camera=table, backdrop=backdrop), camera_from_world
 
 
-def table_corners(placement: Standing) -> NDArray[np.float64]:
+def table_corners(placement: Standing) -> FloatArray:
     """Corners of a table's top, of shape (4, 3), in the world's frame."""
     corners = np.array([[-0.5, -0.5, 0.0], [0.5, -0.5, 0.0], [0.5, 0.5, 0.0], [-0.5, 0.5, 0.0]])
     return corners * [*placement.table, 1.0]
 
 
-def _is_within(mask: NDArray[np.bool_]) -> bool:
+def _is_within(mask: BoolArray) -> bool:
     """Whether no pixel at the image's border is set."""
     return not (mask[[0, -1]].any() or mask[:, [0, -1]].any())

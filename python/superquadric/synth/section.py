@@ -60,13 +60,6 @@ class Section:
             self.fail(key, f"must be a list out of {', '.join(choices)}, found {values!r}")
         return frozenset(values)
 
-    def flag(self, key: str, *, default: bool) -> bool:
-        """True or false."""
-        value = self._take(key, default)
-        if not isinstance(value, bool):
-            self.fail(key, f"must be true or false, found {value!r}")
-        return value
-
     def whole(self, key: str, least: int) -> int:
         """A whole number, not below `least`."""
         value = self._take(key, None)

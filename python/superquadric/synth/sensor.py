@@ -14,8 +14,8 @@ from typing import Any
 
 import numpy as np
 from numpy.random import Generator
-from numpy.typing import NDArray
 
+from .arrays import BoolArray, FloatArray
 from .view import View
 
 STEEPEST_NOISE = math.radians(80.0)
@@ -30,6 +30,7 @@ class Sensor:
         noise_floor: least standard deviation of the depth.
         noise_growth: what it grows by with the square of the depth beyond `noise_from`, per metre.
         noise_from: depth up to which it does not grow.
+        noise_disparity: standard deviation of the disparity, in pixels.
         noise_grazing: what it grows by with the angle of incidence, per `z^(-1/2)`.
         baseline: distance of the two eyes of the stereo that finds the depth.
         disparity_step: what disparities are rounded to, in pixels; 0 for no rounding.
@@ -42,6 +43,7 @@ class Sensor:
     noise_floor: float = 0.0
     noise_growth: float = 0.0
     noise_from: float = 0.0
+    noise_disparity: float = 0.0
     noise_grazing: float = 0.0
     baseline: float = 1.0
     disparity_step: float = 0.0
@@ -55,22 +57,29 @@ class Sensor:
         off: dict[str, Any] = {key: value for part in parts for key, value in PARTS[part].items()}
         return replace(self, **off)
 
-    def noise(
-        self, depth: NDArray[np.float64], incidence: NDArray[np.float64]
-    ) -> NDArray[np.float64]:
-        """Standard deviation at depths, in metres, seen at angles of incidence."""
+    def noise(self, depth: FloatArray, incidence: FloatArray, focal_length: float) -> FloatArray:
+        """Standard deviation, in metres, of depths in metres seen at angles of incidence.
+
+        The focal length is in pixels.
+        """
         beyond = np.maximum(depth - self.noise_from, 0.0)
         angle = np.minimum(incidence, STEEPEST_NOISE)
         steepness = (angle / (0.5 * math.pi - angle)) ** 2
         return (
             self.noise_floor
             + self.noise_growth * beyond**2
+            + self.noise_disparity * depth**2 / (focal_length * self.baseline)
             + self.noise_grazing / np.sqrt(depth) * steepness
         )
 
 
 PARTS: dict[str, dict[str, Any]] = {
-    "noise": {"noise_floor": 0.0, "noise_growth": 0.0, "noise_grazing": 0.0},
+    "noise": {
+        "noise_floor": 0.0,
+        "noise_growth": 0.0,
+        "noise_disparity": 0.0,
+        "noise_grazing": 0.0,
+    },
     "quantisation": {"disparity_step": 0.0},
     "dropout": {"grazing": None, "jump_lost": 0.0},
     "flying": {"jump_mixed": 0.0},
@@ -96,12 +105,12 @@ PRESETS: dict[str, Sensor] = {
         jump_mixed=0.3,
         jump_lost=0.3,
     ),
-    # RealSense D435. Noise: the depth's error is z^2 s / (f b) for an error s of the disparity,
-    # 0.08 pixels by Intel's "Tuning depth cameras for best performance", at b = 50 mm and, for
-    # 640 columns, f = 616 pixels. Steps of 1/32 pixel: Intel's "Subpixel linearity improvement".
-    # Angles and shares of pixels as above, with more mixing: stereo matches whole windows.
+    # RealSense D435, whose eyes are 50 mm apart. The disparity's error of 0.08 pixels is from
+    # Intel's "Tuning depth cameras for best performance"; the depth's is z^2 / (f b) of it. Steps
+    # of 1/32 pixel: Intel's "Subpixel linearity improvement". Angles and shares of pixels as
+    # above, with more mixing: stereo matches whole windows.
     "active-stereo": Sensor(
-        noise_growth=0.08 / (616.0 * 0.050),
+        noise_disparity=0.08,
         baseline=0.050,
         disparity_step=1.0 / 32.0,
         grazing=(math.radians(75.0), math.radians(88.0)),
@@ -121,8 +130,8 @@ class Reading:
         is_mixed: whether the depth lies between those of both sides of a jump.
     """
 
-    depth: NDArray[np.float64]
-    is_mixed: NDArray[np.bool_]
+    depth: FloatArray
+    is_mixed: BoolArray
 
 
 def read(
@@ -150,13 +159,13 @@ def read(
 
     depth = depth + np.where(is_mixed, share * np.where(is_mixed, step, 0.0), 0.0)
     finite = np.where(seen, depth, 1.0)
-    finite = finite + sensor.noise(finite, view.incidence) * noise
+    finite = finite + sensor.noise(finite, view.incidence, focal_length) * noise
     finite = _rounded(finite, sensor, focal_length)
     depth = np.where(seen & ~is_lost & (finite > 0.0), finite / metres_per_unit, math.inf)
     return Reading(depth=depth, is_mixed=is_mixed)
 
 
-def greatest_step(depth: NDArray[np.float64]) -> NDArray[np.float64]:
+def greatest_step(depth: FloatArray) -> FloatArray:
     """From each pixel to that of its four neighbours whose depth differs most: the difference.
 
     Depths are of shape (height, width); it is 0 where pixel and neighbours see nothing.
@@ -166,14 +175,15 @@ def greatest_step(depth: NDArray[np.float64]) -> NDArray[np.float64]:
     with np.errstate(invalid="ignore"):
         steps = np.nan_to_num(np.stack(neighbours) - depth, nan=0.0, posinf=math.inf)
     most = np.abs(steps).argmax(axis=0)
-    return np.take_along_axis(steps, most[None], axis=0)[0]
+    greatest: FloatArray = np.take_along_axis(steps, most[None], axis=0)[0]
+    return greatest
 
 
 def _is_grazing(
-    incidence: NDArray[np.float64],
+    incidence: FloatArray,
     grazing: tuple[float, float] | None,
-    keep: NDArray[np.float64],
-) -> NDArray[np.bool_]:
+    keep: FloatArray,
+) -> BoolArray:
     """Whether pixels are lost, for `keep` uniform in 0..1: more and more between two angles."""
     if grazing is None:
         return np.zeros(incidence.shape, dtype=bool)
@@ -181,12 +191,11 @@ def _is_grazing(
     return keep < (incidence - first) / (last - first)
 
 
-def _rounded(
-    depth: NDArray[np.float64], sensor: Sensor, focal_length: float
-) -> NDArray[np.float64]:
+def _rounded(depth: FloatArray, sensor: Sensor, focal_length: float) -> FloatArray:
     """Depths in metres whose disparities are whole steps, one at least."""
     if sensor.disparity_step == 0.0:
         return depth
     step_depth = focal_length * sensor.baseline / sensor.disparity_step
     positive = np.where(depth > 0.0, depth, math.inf)
-    return step_depth / np.maximum(np.rint(step_depth / positive), 1.0)
+    rounded: FloatArray = step_depth / np.maximum(np.rint(step_depth / positive), 1.0)
+    return rounded

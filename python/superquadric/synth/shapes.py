@@ -6,9 +6,9 @@ import math
 
 import numpy as np
 from numpy.random import Generator
-from numpy.typing import NDArray
 
 from .._core import Superellipsoid
+from .arrays import FloatArray
 from .pose import random_direction, random_rotation, turn
 from .suite import Family, Floating, Standing
 
@@ -26,8 +26,7 @@ def draw_model(family: Family, placement: Floating | Standing, rng: Generator) -
         [math.exp(rng.uniform(math.log(low), math.log(high))) for low, high in family.size]
     )
     exponents = [rng.uniform(low, high) for low, high in family.exponents]
-    if family.is_round:
-        size[1] = size[0]
+    size[: family.equal] = size[0]
     if isinstance(placement, Standing):
         rotation, translation = _standing(size, placement, rng)
     else:
@@ -36,15 +35,15 @@ def draw_model(family: Family, placement: Floating | Standing, rng: Generator) -
 
 
 def _floating(
-    size: NDArray[np.float64], placement: Floating, rng: Generator
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    size: FloatArray, placement: Floating, rng: Generator
+) -> tuple[FloatArray, FloatArray]:
     distance = rng.uniform(*placement.offset) * size.mean()
     return random_rotation(rng), distance * random_direction(rng)
 
 
 def _standing(
-    size: NDArray[np.float64], placement: Standing, rng: Generator
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    size: FloatArray, placement: Standing, rng: Generator
+) -> tuple[FloatArray, FloatArray]:
     """Upright anywhere on the middle half of the table, which the lowest point touches."""
     up = placement.up[rng.integers(len(placement.up))]
     rotation = turn(rng.uniform(-math.pi, math.pi)) @ UPRIGHT[up]

@@ -18,6 +18,8 @@ LEAST_EXTENT = 1e-9
 """Least length that a file may give, in the suite's unit: above 0, and nothing to aim at."""
 LEAST_EXPONENT = 0.01
 GREATEST_EXPONENT = 2.0
+EQUAL = {"none": 1, "xy": 2, "xyz": 3}
+"""Semi-axes that a family may hold equal, and how many they are."""
 ANY_POINTS = 10_000_000
 """Most points of a cloud, below which a file with a slip of the pen still fits in memory."""
 
@@ -30,13 +32,14 @@ class Family:
         name: as it stands in truth files.
         size: ranges of the semi-axes a1, a2, a3, drawn log-uniformly, in the suite's unit.
         exponents: ranges of e1 and e2, drawn uniformly.
-        is_round: whether a2 equals a1, whatever the second range says.
+        equal: how many of the semi-axes, from the first, are drawn as one; the ranges of the
+            others among them do not matter.
     """
 
     name: str
     size: tuple[Range, ...]
     exponents: tuple[Range, ...]
-    is_round: bool
+    equal: int
 
 
 @dataclass(frozen=True)
@@ -230,7 +233,7 @@ def _family(section: Section) -> Family:
         name=_file_name(section, "name"),
         size=section.spans("size", 3, LEAST_EXTENT, math.inf),
         exponents=section.spans("exponents", 2, LEAST_EXPONENT, GREATEST_EXPONENT),
-        is_round=section.flag("round", default=False),
+        equal=EQUAL[section.choice("equal", tuple(EQUAL), "none")],
     )
     section.finish()
     return family

@@ -2,8 +2,7 @@
 
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
+from .arrays import BoolArray, FloatArray
 
 
 @dataclass(frozen=True)
@@ -17,6 +16,6 @@ class View:
             nothing.
     """
 
-    depth: NDArray[np.float64]
-    is_object: NDArray[np.bool_]
-    incidence: NDArray[np.float64]
+    depth: FloatArray
+    is_object: BoolArray
+    incidence: FloatArray

@@ -6,9 +6,9 @@ import math
 
 import numpy as np
 from numpy.random import Generator
-from numpy.typing import NDArray
 
 from .._core import Superellipsoid
+from .arrays import FloatArray
 from .camera import Camera
 from .pose import motion, moved, turn
 from .suite import Floating, Standing, Viewpoint
@@ -25,10 +25,11 @@ def draw_camera_from_world(
     viewpoint: Viewpoint,
     camera: Camera,
     rng: Generator,
-) -> NDArray[np.float64]:
+) -> FloatArray:
     """A camera that looks at the model's centre, upright if the model stands on a table."""
     azimuth = rng.uniform(-math.pi, math.pi)
-    elevation = math.asin(rng.uniform(*(math.sin(angle) for angle in viewpoint.elevation)))
+    lowest, highest = (math.sin(angle) for angle in viewpoint.elevation)
+    elevation = math.asin(rng.uniform(lowest, highest))
     roll = rng.uniform(-math.pi, math.pi)
     rotation = looking_inwards(azimuth, elevation)
     if isinstance(placement, Floating):
@@ -43,7 +44,7 @@ def draw_camera_from_world(
     return centred
 
 
-def looking_inwards(azimuth: float, elevation: float) -> NDArray[np.float64]:
+def looking_inwards(azimuth: float, elevation: float) -> FloatArray:
     """Rotation `camera_from_world` of an upright camera, seen from the origin in a direction.
 
     Its image's vertical is the world's z axis, upwards.
@@ -55,13 +56,11 @@ def looking_inwards(azimuth: float, elevation: float) -> NDArray[np.float64]:
     return np.stack([right, np.cross(forward, right), forward])
 
 
-def _distance_that_fills(
-    fill: float, vertices: NDArray[np.float64], radius: float, camera: Camera
-) -> float:
+def _distance_that_fills(fill: float, vertices: FloatArray, radius: float, camera: Camera) -> float:
     """Depth of the origin at which vertices about it take up a share of the image."""
     distance = 6.0 * radius
     for _ in range(FILL_ROUNDS):
-        image = camera.project(vertices + [0.0, 0.0, distance])
+        image = camera.project(vertices + np.array([0.0, 0.0, distance]))
         share = float((np.ptp(image, axis=0) / [camera.width, camera.height]).max())
         distance = max(distance * share / fill, NEAREST * radius)
     return distance
