@@ -26,7 +26,7 @@ from .viewpoint import draw_camera_from_world
 
 LEAST_PIXELS = 200
 """Fewest pixels of the object, before the sensor loses any; other viewpoints are tried."""
-VIEWPOINTS = 100
+VIEWPOINTS = 20
 """Viewpoints tried before giving up."""
 LEAST_POINTS = 20
 """Fewest measured points of a cloud: some more than a model's eleven parameters."""

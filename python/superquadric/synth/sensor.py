@@ -173,7 +173,9 @@ def greatest_step(depth: FloatArray) -> FloatArray:
     padded = np.pad(depth, 1, mode="edge")
     neighbours = [padded[:-2, 1:-1], padded[2:, 1:-1], padded[1:-1, :-2], padded[1:-1, 2:]]
     with np.errstate(invalid="ignore"):
-        steps = np.nan_to_num(np.stack(neighbours) - depth, nan=0.0, posinf=math.inf)
+        steps = np.nan_to_num(
+            np.stack(neighbours) - depth, nan=0.0, posinf=math.inf, neginf=-math.inf
+        )
     most = np.abs(steps).argmax(axis=0)
     greatest: FloatArray = np.take_along_axis(steps, most[None], axis=0)[0]
     return greatest
