@@ -139,7 +139,13 @@ class Score:
     @property
     def rotation_error(self) -> float: ...
 
-def fit(points: ArrayLike, *, seed: int = 0, threads: int | None = None) -> Fit: ...
+def fit(
+    points: ArrayLike,
+    *,
+    seed: int = 0,
+    distance: Literal["radial", "geometric"] = "geometric",
+    threads: int | None = None,
+) -> Fit: ...
 @overload
 def read(
     path: str | os.PathLike[str], *, return_skipped: Literal[False] = False

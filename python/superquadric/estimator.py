@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -15,7 +15,7 @@ INLIER_RMS = 3.0
 """Radial distance, in radial RMS of the fit, up to which a row counts as an inlier."""
 
 
-_OPTIONS = ("seed", "threads")
+_OPTIONS = ("seed", "distance", "threads")
 
 
 class SuperquadricEstimator:
@@ -23,6 +23,7 @@ class SuperquadricEstimator:
 
     Args:
         seed: chooses the points that the first, coarse fits look at.
+        distance: `radial` or `geometric`, that whose squares are minimised.
         threads: how many to use; by default as many as the machine offers.
 
     Attributes:
@@ -38,9 +39,16 @@ class SuperquadricEstimator:
     inlier_mask_: NDArray[np.bool_]
     n_features_in_: int
 
-    def __init__(self, *, seed: int = 0, threads: int | None = None) -> None:
+    def __init__(
+        self,
+        *,
+        seed: int = 0,
+        distance: Literal["radial", "geometric"] = "geometric",
+        threads: int | None = None,
+    ) -> None:
         """Store the options as they are; `fit` checks them."""
         self.seed = seed
+        self.distance = distance
         self.threads = threads
 
     def fit(self, X: ArrayLike, y: object = None) -> SuperquadricEstimator:  # noqa: N803
@@ -54,7 +62,7 @@ class SuperquadricEstimator:
             FitError: if the points do not determine a solid.
         """
         points = np.asarray(X)
-        self.fit_ = fit(points, seed=self.seed, threads=self.threads)
+        self.fit_ = fit(points, **self.get_params())
         self.model_ = self.fit_.model
         distance = np.abs(self.model_.radial_distance(points))
         # Rows that are not finite are at no distance: NaN is not below the bound.

@@ -3,9 +3,10 @@
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
-use clap::{Parser, Subcommand};
+use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
+use crate::recover::Distance;
 use crate::surface::Resolution;
 
 /// Recovers superquadrics from range points, and tells what there is to know of them.
@@ -63,6 +64,9 @@ pub(super) struct FitArgs {
     /// Seed of the choice of points that the coarse search looks at.
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub seed: u64,
+    /// The distance whose squares are minimised.
+    #[arg(long, value_enum, default_value_t)]
+    pub distance: DistanceArg,
     /// Threads to use [default: as many as the machine offers]. They change the time, not the
     /// result.
     #[arg(long, value_name = "N")]
@@ -97,6 +101,25 @@ pub(super) struct InfoArgs {
 pub(super) struct CompletionsArgs {
     /// Shell to complete for.
     pub shell: Shell,
+}
+
+/// A distance, as it is typed.
+#[derive(Debug, Clone, Copy, Default, ValueEnum)]
+pub(super) enum DistanceArg {
+    /// Along the ray from the centre (JLS Eq. 2.43).
+    Radial,
+    /// The radial one first, then the first-order geometric one.
+    #[default]
+    Geometric,
+}
+
+impl From<DistanceArg> for Distance {
+    fn from(typed: DistanceArg) -> Self {
+        match typed {
+            DistanceArg::Radial => Self::Radial,
+            DistanceArg::Geometric => Self::Geometric,
+        }
+    }
 }
 
 fn resolution(text: &str) -> Result<Resolution, String> {

@@ -17,7 +17,8 @@ pub(super) fn run(args: &FitArgs) -> Result<u8, CliError> {
         MeshFormat::from_extension(mesh)?;
     }
     let cloud = read_cloud(&args.cloud)?;
-    let options = FitOptions { seed: args.seed, threads: args.threads };
+    let options =
+        FitOptions { seed: args.seed, distance: args.distance.into(), threads: args.threads };
     let start = Instant::now();
     let fit = fit(&cloud, &options)
         .map_err(|source| CliError::Fit { name: name(&args.cloud), source })?;

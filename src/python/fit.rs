@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use numpy::PyArray1;
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use super::arrays::point_cloud;
@@ -12,18 +13,20 @@ use super::interrupt::interruptible;
 use super::model::PyModel;
 use crate::model::Model;
 use crate::output::write_whole;
-use crate::recover::{Fit, FitOptions, fit_unless};
+use crate::recover::{Distance, Fit, FitOptions, fit_unless};
 use crate::report::FitDocument;
 
 /// Recover a superellipsoid from points of its surface.
 ///
-/// It is the one in general position that minimises the sum of squared radial Euclidean
-/// distances (JLS Eq. 2.43). The interpreter is released meanwhile, and Ctrl-C ends the fit.
+/// It is the one in general position that minimises the sum of squared distances. The
+/// interpreter is released meanwhile, and Ctrl-C ends the fit.
 ///
 /// Args:
 ///     points: array of shape (n, 3), of any real type and memory order, in any unit. Rows that
 ///         are not finite are skipped and counted.
 ///     seed: chooses the points that the first, coarse fits look at.
+///     distance: `radial` for that along the ray from the centre (JLS Eq. 2.43), `geometric` to
+///         go on from its best minima with the first-order geometric distance.
 ///     threads: how many to use; by default as many as the machine offers. The result does not
 ///         depend on it.
 ///
@@ -34,22 +37,35 @@ use crate::report::FitDocument;
 /// Raises:
 ///     ArrayError: if the shape is not (n, 3).
 ///     TypeError: if the points are not real numbers.
-///     FitError: if they are fewer than the parameters, coincide, lie on one line, or have
+///     ValueError: if there is no such distance.
+///     FitError: if the points are fewer than the parameters, coincide, lie on one line, or have
 ///         coordinates that cannot be squared.
 #[pyfunction]
-#[pyo3(signature = (points, *, seed = 0, threads = None))]
+#[pyo3(signature = (points, *, seed = 0, distance = "geometric", threads = None))]
 pub(super) fn fit(
     points: &Bound<'_, PyAny>,
     seed: u64,
+    distance: &str,
     threads: Option<NonZeroUsize>,
 ) -> PyResult<PyFit> {
     let cloud = point_cloud("points", points)?;
-    let options = FitOptions { seed, threads };
+    let options = FitOptions { seed, distance: distance_named(distance)?, threads };
     let start = Instant::now();
     let fit =
         interruptible(points.py(), |is_interrupted| fit_unless(&cloud, &options, is_interrupted))??;
     let seconds = start.elapsed().as_secs_f64();
     Ok(PyFit { fit, seconds, skipped_rows: cloud.skipped_rows().to_vec() })
+}
+
+fn distance_named(name: &str) -> PyResult<Distance> {
+    match name {
+        "radial" => Ok(Distance::Radial),
+        "geometric" => Ok(Distance::Geometric),
+        _ => {
+            let message = format!("distance must be 'radial' or 'geometric', found '{name}'");
+            Err(PyValueError::new_err(message))
+        }
+    }
 }
 
 /// A recovered model with the evidence for it; made by `fit`.

@@ -148,6 +148,8 @@ mod tests {
 
     use super::*;
     use crate::pose::Pose;
+    use crate::recover::kernel::{ModelView, Residual, gram};
+    use crate::recover::normalization::Normalization;
     use crate::recover::radial::radial_row;
     use crate::shape::Superellipsoid;
     use crate::surface::sample_surface;
@@ -221,11 +223,11 @@ mod tests {
         let points = noisy_points(&mut ChaCha8Rng::seed_from_u64(1));
         let columns: [Vec<f64>; 3] =
             std::array::from_fn(|k| points.iter().map(|point| point[k]).collect());
-        let normalization = crate::recover::normalization::Normalization::identity();
+        let normalization = Normalization::identity();
         let rows = |model: &Model| {
-            let view = crate::recover::kernel::ModelView::new(&normalization, model);
+            let view = ModelView::new(&normalization, model, Residual::Radial);
             let points = [&columns[0][..], &columns[1], &columns[2]];
-            Some(crate::recover::kernel::gram(&view, points, false))
+            Some(gram(&view, points, false))
         };
         let (chart, coordinates) = Chart::around(&start());
         let full = FullProblem { chart, coordinates, points };

@@ -4,7 +4,7 @@ use levenberg_marquardt::LevenbergMarquardt;
 
 use super::chart::EXPONENT_BOUNDS;
 use super::compressed::CompressedProblem;
-use super::kernel::{Gram, ModelView, PointColumns, gram};
+use super::kernel::{Gram, ModelView, PointColumns, Residual, gram};
 use super::normalization::Normalization;
 use super::result::Termination;
 use crate::model::Model;
@@ -16,6 +16,8 @@ pub(crate) struct PointSet<'a> {
     pub normalization: &'a Normalization,
     /// Whether passes over the points are shared among threads.
     pub parallel: bool,
+    /// What is minimised.
+    pub residual: Residual,
     /// Whether to give up; asked before every pass.
     pub is_interrupted: Interrupt<'a>,
 }
@@ -31,8 +33,11 @@ impl PointSet<'_> {
 
     /// The Gram matrix of the rows of a model (normalised coordinates); none if interrupted.
     pub fn gram(&self, model: &Model) -> Option<Gram> {
-        let pass = || gram(&ModelView::new(self.normalization, model), self.points, self.parallel);
-        (!(self.is_interrupted)()).then(pass)
+        if (self.is_interrupted)() {
+            return None;
+        }
+        let view = ModelView::new(self.normalization, model, self.residual);
+        Some(gram(&view, self.points, self.parallel))
     }
 }
 
@@ -54,8 +59,8 @@ pub(crate) struct Descent {
     pub model: Model,
     /// The Gram matrix of its rows.
     pub gram: Gram,
-    /// Mean squared radial distance, in normalised units: what was minimised.
-    pub mean_square: f64,
+    /// Mean squared radial distance, in normalised units.
+    pub radial_mean_square: f64,
     /// Mean squared first-order geometric distance, in normalised units: by this descents are
     /// ranked, since far from its own optimum the radial distance favours models much larger
     /// than the cloud.
@@ -69,8 +74,8 @@ pub(crate) struct Descent {
 /// Runs that an exponent resting at its bound may cause, by being released.
 const RELEASES: usize = 2;
 
-/// Minimises the radial distances from a start. None if the start itself is out of bounds, or
-/// the fit is interrupted before the first pass.
+/// Minimises the residuals of the points from a start. None if the start itself is out of bounds,
+/// or the fit is interrupted before the first pass.
 ///
 /// Within a run an exponent that has passed its bound rests there; if the minimum of the others
 /// leaves it drawn back inside, another run follows from there.
@@ -112,7 +117,7 @@ fn run(points: &PointSet, start: &Model, effort: &Effort) -> Option<Descent> {
     Some(Descent {
         model,
         gram,
-        mean_square: gram.residual_squares() / points.len() as f64,
+        radial_mean_square: gram.radial_squares / points.len() as f64,
         geometric_mean_square: gram.geometric_squares / points.len() as f64,
         passes,
         termination: report.termination.into(),

@@ -5,11 +5,12 @@ use rayon::ThreadPoolBuilder;
 use super::descent::{Effort, Interrupt, PointSet, descend};
 use super::doubt::{doubts, require_extent};
 use super::error::FitError;
+use super::kernel::Residual;
 use super::normalization::Moments;
-use super::options::FitOptions;
+use super::options::{Distance, FitOptions};
 use super::radial::PARAMETERS;
 use super::result::Fit;
-use super::search::Search;
+use super::search::{BRIEF, Search};
 use super::subset::Subset;
 use crate::cloud::PointCloud;
 
@@ -21,6 +22,13 @@ const MEDIUM_POINTS: usize = 10_000;
 
 /// Points from which on a pass is worth sharing among threads.
 const PARALLEL_POINTS: usize = 16_384;
+
+/// Minima that are taken from one distance to the other: that which is best under the second may
+/// be far from it under the first.
+const SWITCHED_FINALISTS: usize = 6;
+
+/// Minima that are taken on to more points.
+const FINALISTS: usize = 3;
 
 /// To tell the finalists apart, and to leave little to do on all points.
 const MEDIUM: Effort = Effort { tolerance: 1e-6, patience: 5, step_bound: 1.0 };
@@ -49,7 +57,7 @@ pub fn fit_unless(
     options: &FitOptions,
     is_interrupted: &(dyn Fn() -> bool + Sync),
 ) -> Result<Fit, FitError> {
-    let run = |parallel| fit_in_pool(cloud, options.seed, parallel, is_interrupted);
+    let run = |parallel| fit_in_pool(cloud, options, parallel, is_interrupted);
     let is_large = cloud.len() >= PARALLEL_POINTS;
     let result = match options.threads.map(usize::from) {
         None => run(is_large),
@@ -66,33 +74,39 @@ pub fn fit_unless(
 
 fn fit_in_pool(
     cloud: &PointCloud,
-    seed: u64,
+    options: &FitOptions,
     parallel: bool,
     is_interrupted: Interrupt,
 ) -> Result<Fit, FitError> {
     let moments = normalize(cloud)?;
-    let normalization = &moments.normalization;
-    let all = PointSet { points: cloud.columns(), normalization, parallel, is_interrupted };
-    let search = search(&all, &moments, seed);
+    let all = PointSet {
+        points: cloud.columns(),
+        normalization: &moments.normalization,
+        parallel,
+        residual: Residual::Radial,
+        is_interrupted,
+    };
+    let search = search(&all, &moments, options);
     let (starts, mut passes) = (search.starts, search.passes);
     let mut best = search.into_best().ok_or(FitError::Unbounded)?;
     if all.len() > MEDIUM_POINTS {
+        let all = PointSet { residual: residual(options.distance), ..all };
         best = descend(&all, &best.model, &FINISH).unwrap_or(best);
         passes += best.passes;
     }
 
-    let in_cloud = normalization.cloud_from_normalized(&best.model);
+    let in_cloud = moments.normalization.cloud_from_normalized(&best.model);
     Ok(Fit {
         model: in_cloud.canonical(),
         termination: best.termination,
         doubts: doubts(&best, &moments, cloud.len()),
-        rms_radial: best.mean_square.sqrt() * normalization.radius,
-        rms_geometric: best.geometric_mean_square.sqrt() * normalization.radius,
+        rms_radial: best.radial_mean_square.sqrt() * moments.normalization.radius,
+        rms_geometric: best.geometric_mean_square.sqrt() * moments.normalization.radius,
         points: cloud.len(),
         points_skipped: cloud.skipped_rows().len(),
         evaluations: passes,
         starts,
-        seed,
+        seed: options.seed,
     })
 }
 
@@ -107,17 +121,30 @@ fn normalize(cloud: &PointCloud) -> Result<Moments, FitError> {
 }
 
 /// The search on a part of the points; on all of them, and to the end, where they are few.
-fn search(all: &PointSet, moments: &Moments, seed: u64) -> Search {
-    let few = Subset::stratified(all.points, COARSE_POINTS, seed);
+fn search(all: &PointSet, moments: &Moments, options: &FitOptions) -> Search {
+    let few = Subset::stratified(all.points, COARSE_POINTS, options.seed);
     let few = PointSet { points: few.columns(), parallel: false, ..*all };
     let mut search = Search::coarse(&few, moments);
+    let residual = residual(options.distance);
+    if residual != few.residual {
+        search.refine(&PointSet { residual, ..few }, &BRIEF, SWITCHED_FINALISTS);
+    }
     if all.len() <= MEDIUM_POINTS {
-        search.refine(all, &FINISH);
+        search.refine(&PointSet { residual, ..*all }, &FINISH, FINALISTS);
     } else {
-        let some = Subset::stratified(all.points, MEDIUM_POINTS, seed);
-        search.refine(&PointSet { points: some.columns(), parallel: false, ..*all }, &MEDIUM);
+        let some = Subset::stratified(all.points, MEDIUM_POINTS, options.seed);
+        let some = PointSet { points: some.columns(), parallel: false, residual, ..*all };
+        search.refine(&some, &MEDIUM, FINALISTS);
     }
     search
+}
+
+/// What is minimised in the end.
+fn residual(distance: Distance) -> Residual {
+    match distance {
+        Distance::Radial => Residual::Radial,
+        Distance::Geometric => Residual::Geometric { saturation: 0.0 },
+    }
 }
 
 #[cfg(test)]
@@ -134,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn an_interrupted_fit_makes_no_further_pass_and_has_no_result() {
+    fn a_fit_that_is_interrupted_at_any_pass_has_no_result() {
         let cloud = cloud(20_000);
         let passes = fit(&cloud, &FitOptions::default()).unwrap().evaluations;
         for allowed in [0, 1, passes / 2, passes - 1] {

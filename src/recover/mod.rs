@@ -9,6 +9,7 @@ mod descent;
 mod doubt;
 mod error;
 mod fit;
+mod geometric;
 mod kernel;
 mod normalization;
 mod options;
@@ -22,6 +23,7 @@ mod uncertainty;
 
 pub use error::FitError;
 pub use fit::{fit, fit_unless};
-pub use options::FitOptions;
+pub use geometric::geometric_row;
+pub use options::{Distance, FitOptions};
 pub use radial::{PARAMETERS, Row, radial_row};
 pub use result::{Doubt, Fit, Termination};

@@ -2,11 +2,25 @@
 
 use std::num::NonZeroUsize;
 
+/// The distance of a point from the surface whose squares are minimised.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Distance {
+    /// Along the ray from the centre: the radial Euclidean distance (JLS Eq. 2.43).
+    Radial,
+    /// The radial distance first, then, from its best minima, the first-order geometric distance
+    /// `(H - 1)/|grad H|`. On clouds seen from one side the radial distance prefers larger
+    /// shapes; this one does not.
+    #[default]
+    Geometric,
+}
+
 /// Options of [`fit`](super::fit).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct FitOptions {
     /// Seed of the choice of the points that the first, coarse fits look at.
     pub seed: u64,
+    /// The distance that is minimised.
+    pub distance: Distance,
     /// Threads to use; by default as many as the machine offers. The result's bytes do not
     /// depend on it.
     pub threads: Option<NonZeroUsize>,

@@ -13,9 +13,6 @@ const WORTHWHILE: f64 = 0.99;
 /// Rounds of switches: as many as axis and dual can both be wrong.
 const SWITCH_ROUNDS: usize = 4;
 
-/// Models taken on to more points.
-const FINALISTS: usize = 3;
-
 /// A model whose mean square is this many times the best one's is not taken on.
 const HOPELESS: f64 = 4.0;
 
@@ -28,7 +25,7 @@ const SAME_SIZE: f64 = 0.02;
 const SAME_EXPONENT: f64 = 0.05;
 
 /// A brief descent: it must tell minima apart, not find them exactly.
-const BRIEF: Effort = Effort { tolerance: 1e-3, patience: 2, step_bound: 0.5 };
+pub(crate) const BRIEF: Effort = Effort { tolerance: 1e-3, patience: 2, step_bound: 0.5 };
 
 /// Bookkeeping of a search: every descent, best first, and what they cost.
 #[derive(Debug, Default)]
@@ -56,9 +53,9 @@ impl Search {
         search
     }
 
-    /// Takes the best few on to other points: only these are kept.
-    pub fn refine(&mut self, points: &PointSet, effort: &Effort) {
-        for model in self.take_finalists() {
+    /// Takes the best few on to other points or another residual: only these are kept.
+    pub fn refine(&mut self, points: &PointSet, effort: &Effort, finalists: usize) {
+        for model in self.take_finalists(finalists) {
             self.descend(points, &model, effort);
         }
     }
@@ -81,13 +78,12 @@ impl Search {
     }
 
     /// The best few models, each minimum once, without those far behind; no candidate is left.
-    fn take_finalists(&mut self) -> Vec<Model> {
+    fn take_finalists(&mut self, count: usize) -> Vec<Model> {
         let hopeless = HOPELESS * self.least_mean_square();
         let mut finalists: Vec<Model> = Vec::new();
         for candidate in std::mem::take(&mut self.candidates) {
             let is_new = finalists.iter().all(|model| !is_same_minimum(model, &candidate.model));
-            if is_new && finalists.len() < FINALISTS && candidate.geometric_mean_square <= hopeless
-            {
+            if is_new && finalists.len() < count && candidate.geometric_mean_square <= hopeless {
                 finalists.push(candidate.model);
             }
         }

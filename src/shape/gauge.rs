@@ -35,6 +35,12 @@ pub(crate) struct GaugeTerms {
     pub weights: [f64; 3],
     /// `2 d ln H / d e_k`, each in `[0, ln 2]`.
     pub exponent_slopes: [f64; 2],
+    /// Shares of `|x/a1|^(2/e2)` and `|y/a2|^(2/e2)` in their sum.
+    pub equator_shares: [f64; 2],
+    /// Shannon entropy of the equatorial shares, in `[0, ln 2]`.
+    pub equator_entropy: f64,
+    /// Log-odds of the shares: of the equatorial against the axial, of x against y.
+    pub log_odds: [f64; 2],
 }
 
 impl GaugeTerms {
@@ -70,12 +76,20 @@ impl GaugeTerms {
             inverse,
             weights: [equatorial * share_x, equatorial * share_y, axial],
             exponent_slopes: [meridian.entropy, equatorial * equator.entropy],
+            equator_shares: [share_x, share_y],
+            equator_entropy: equator.entropy,
+            log_odds: [
+                (-meridian.log_power).copysign(log_ratio),
+                if u >= v { -equator.log_power } else { equator.log_power },
+            ],
         }
     }
 }
 
 /// A sum `1 + t` of the powers `1` and `t = (least/greatest)^(2/e)`.
 struct PowerSum {
+    /// `ln t`.
+    log_power: f64,
     /// `ln(1 + t)`.
     log_sum: f64,
     /// `1 / (1 + t)`.
@@ -94,6 +108,7 @@ impl PowerSum {
         let log_sum = power.ln_1p();
         let share_greatest = 1.0 / (1.0 + power);
         let share_least = power * share_greatest;
-        Self { log_sum, share_greatest, share_least, entropy: log_sum - share_least * log_power }
+        let entropy = log_sum - share_least * log_power;
+        Self { log_power, log_sum, share_greatest, share_least, entropy }
     }
 }

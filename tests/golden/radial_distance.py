@@ -33,7 +33,7 @@ def derivatives(a, e, x):
     out = [diff(lambda t, k=k: distance(replaced(a, k, a[k] * exp(t)), e, x), 0) for k in range(3)]
     out += [diff(lambda t, k=k: distance(a, replaced(e, k, t), x), e[k]) for k in range(2)]
     for k in range(3):
-        along = lambda t, k=k: distance(a, e, replaced(x, k, x[k] * exp(t)))  # noqa: E731
+        along = lambda t, k=k: distance(a, e, replaced(x, k, x[k] * exp(t)))
         out.append(diff(along, 0) / x[k] if x[k] else mpf(0))
     return out
 

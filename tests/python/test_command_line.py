@@ -52,6 +52,14 @@ def test_fits_are_the_same_to_the_last_bit(binary, tmp_path, model, count, seed)
     assert without_time(found) == expected
 
 
+@pytest.mark.parametrize("distance", ["radial", "geometric"])
+def test_distances_have_the_same_names(binary, tmp_path, points, distance):
+    np.save(tmp_path / "cloud.npy", points)
+    found = run(binary, tmp_path / "cloud.npy", "--distance", distance)
+    expected = superquadric.fit(points, distance=distance).to_dict()
+    assert without_time(found) == without_time(expected)
+
+
 def test_a_cloud_from_stdin_is_the_same(binary, model):
     cloud = model.sample(300)
     text = "\n".join(" ".join(map(repr, row)) for row in cloud.tolist())

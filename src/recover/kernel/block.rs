@@ -64,7 +64,7 @@ impl Scratch {
 
 /// Writes the rows of at most [`BLOCK`] points; those beyond them are zero.
 #[inline(always)]
-pub(super) fn write_rows<const FMA: bool>(
+pub(super) fn write_rows<const FMA: bool, const GEOMETRIC: bool>(
     view: &ModelView,
     points: [&[f64]; 3],
     scratch: &mut Scratch,
@@ -75,12 +75,13 @@ pub(super) fn write_rows<const FMA: bool>(
     meridional_ratios::<FMA>(view, scratch);
     meridional_sides(view, scratch);
     meridional_powers::<FMA>(view, scratch);
-    assemble(view, scratch, rows);
+    assemble::<GEOMETRIC>(view, scratch, rows);
     let count = points[0].len();
     if count < BLOCK {
         for column in rows.columns.iter_mut() {
             column[count..].fill(0.0);
         }
+        rows.radial_squares[count..].fill(0.0);
         rows.geometric_squares[count..].fill(0.0);
     }
 }
@@ -171,58 +172,217 @@ fn meridional_powers<const FMA: bool>(view: &ModelView, scratch: &mut Scratch) {
     }
 }
 
-/// The residual and its derivatives, from what the loops before have left.
+/// The residuals and their derivatives, from what the loops before have left.
 #[inline(always)]
-fn assemble(view: &ModelView, scratch: &Scratch, rows: &mut Rows) {
-    let [a, b, c] = view.size;
-    let [ia, ib, _] = view.inverse_size;
+fn assemble<const GEOMETRIC: bool>(view: &ModelView, scratch: &Scratch, rows: &mut Rows) {
     for i in 0..BLOCK {
-        let [x, y, z] = [scratch.x[0][i], scratch.x[1][i], scratch.x[2][i]];
-        let mx = greater(x.abs(), TINY * a);
-        let my = greater(y.abs(), TINY * b);
-        let mz = greater(z.abs(), TINY * c);
+        let point = Point::at(view, scratch, i);
+        let radial = point.radial_row();
+        let square_stretch = point.square_stretch();
+        let radial_square = point.distance * point.distance;
+        rows.radial_squares[i] = radial_square;
+        rows.geometric_squares[i] = radial_square / square_stretch;
+        let row = if GEOMETRIC {
+            let row = point.geometric_row(view, scratch, i, &radial, square_stretch);
+            saturated(row, view.saturation)
+        } else {
+            radial
+        };
+        for (column, value) in rows.columns.iter_mut().zip(row) {
+            column[i] = value;
+        }
+    }
+}
+
+/// The row of the saturated residual `g / sqrt(1 + s g^2)`, whose square is the loss of Geman and
+/// McClure: quadratic within `1 / sqrt(s)`, bounded by `1 / s`.
+#[inline(always)]
+fn saturated(row: [f64; COLUMNS], saturation: f64) -> [f64; COLUMNS] {
+    let share = 1.0 / (1.0 + saturation * row[0] * row[0]);
+    let factor = share.sqrt();
+    let slope = factor * share;
+    let mut saturated = row.map(|entry| entry * slope);
+    saturated[0] = row[0] * factor;
+    saturated
+}
+
+/// What the rows of one point are made of.
+struct Point {
+    x: [f64; 3],
+    radius: f64,
+    /// Distance of the surface along the ray.
+    surface: f64,
+    /// The signed radial distance.
+    distance: f64,
+    /// Derivatives of the radial distance by the point.
+    n: [f64; 3],
+    /// `|x| alpha_i / |x_i|`: the gradient of H on the surface, times its distance.
+    q: [f64; 3],
+    /// `d ln H / d ln |x_i|`.
+    alpha: [f64; 3],
+    /// Share of the equatorial in the meridional sum.
+    equatorial: f64,
+    /// Shares of x and y in the equatorial sum.
+    shares: [f64; 2],
+    /// Entropies of the meridional and the equatorial shares.
+    entropies: [f64; 2],
+    is_equatorial: bool,
+    is_x_greatest: bool,
+}
+
+impl Point {
+    #[inline(always)]
+    fn at(view: &ModelView, scratch: &Scratch, i: usize) -> Self {
+        let [a, b, c] = view.size;
+        let [ia, ib, _] = view.inverse_size;
+        let x = [scratch.x[0][i], scratch.x[1][i], scratch.x[2][i]];
+        let mx = greater(x[0].abs(), TINY * a);
+        let my = greater(x[1].abs(), TINY * b);
+        let mz = greater(x[2].abs(), TINY * c);
 
         let equator_greatest = 1.0 / (1.0 + scratch.equator_power[i]);
         let equator_least = scratch.equator_power[i] * equator_greatest;
         let meridian_greatest = 1.0 / (1.0 + scratch.meridian_power[i]);
         let meridian_least = scratch.meridian_power[i] * meridian_greatest;
-        let x_is_greatest = mx * ia > my * ib;
-        let share_x = if x_is_greatest { equator_greatest } else { equator_least };
-        let share_y = if x_is_greatest { equator_least } else { equator_greatest };
-        let equatorial = scratch.meridian_log_ratio[i] >= 0.0;
-        let share_xy = if equatorial { meridian_greatest } else { meridian_least };
-        let wz = if equatorial { meridian_least } else { meridian_greatest };
-        let wx = share_xy * share_x;
-        let wy = share_xy * share_y;
-        let s1 = scratch.meridian_log_sum[i] - meridian_least * scratch.meridian_log_power[i];
-        let s2 = scratch.equator_log_sum[i] - equator_least * scratch.equator_log_power[i];
+        let is_x_greatest = mx * ia > my * ib;
+        let share_x = if is_x_greatest { equator_greatest } else { equator_least };
+        let share_y = if is_x_greatest { equator_least } else { equator_greatest };
+        let is_equatorial = scratch.meridian_log_ratio[i] >= 0.0;
+        let equatorial = if is_equatorial { meridian_greatest } else { meridian_least };
+        let axial = if is_equatorial { meridian_least } else { meridian_greatest };
+        let alpha = [equatorial * share_x, equatorial * share_y, axial];
+        let meridian_entropy =
+            scratch.meridian_log_sum[i] - meridian_least * scratch.meridian_log_power[i];
+        let equator_entropy =
+            scratch.equator_log_sum[i] - equator_least * scratch.equator_log_power[i];
 
         let radius = (mx * mx + my * my + mz * mz).sqrt();
         let surface = radius * scratch.inverse_gauge[i];
         let stretch = (1.0 - scratch.inverse_gauge[i]) / radius;
-        let nx = x * (stretch + surface * wx / (mx * mx));
-        let ny = y * (stretch + surface * wy / (my * my));
-        let nz = z * (stretch + surface * wz / (mz * mz));
-
-        let distance = radius - surface;
-        // The derivative along the ray is one, so the gradient is no shorter.
-        rows.geometric_squares[i] = distance * distance / (nx * nx + ny * ny + nz * nz);
-        let row: [f64; COLUMNS] = [
-            distance,
-            -surface * wx,
-            -surface * wy,
-            -surface * wz,
-            0.5 * surface * s1,
-            0.5 * surface * share_xy * s2,
-            ny * z - nz * y,
-            nz * x - nx * z,
-            nx * y - ny * x,
-            -nx,
-            -ny,
-            -nz,
+        let slopes = [alpha[0] / mx, alpha[1] / my, alpha[2] / mz];
+        let n = [
+            x[0] * stretch + signed(surface * slopes[0], x[0]),
+            x[1] * stretch + signed(surface * slopes[1], x[1]),
+            x[2] * stretch + signed(surface * slopes[2], x[2]),
         ];
-        for (column, value) in rows.columns.iter_mut().zip(row) {
-            column[i] = value;
+        Self {
+            x,
+            radius,
+            surface,
+            distance: radius - surface,
+            n,
+            q: [radius * slopes[0], radius * slopes[1], radius * slopes[2]],
+            alpha,
+            equatorial,
+            shares: [share_x, share_y],
+            entropies: [meridian_entropy, equator_entropy],
+            is_equatorial,
+            is_x_greatest,
         }
     }
+
+    /// The radial distance and its derivatives, as in `radial_row`.
+    #[inline(always)]
+    fn radial_row(&self) -> [f64; COLUMNS] {
+        let moment = cross(self.n, self.x);
+        [
+            self.distance,
+            -self.surface * self.alpha[0],
+            -self.surface * self.alpha[1],
+            -self.surface * self.alpha[2],
+            0.5 * self.surface * self.entropies[0],
+            0.5 * self.surface * self.equatorial * self.entropies[1],
+            moment[0],
+            moment[1],
+            moment[2],
+            -self.n[0],
+            -self.n[1],
+            -self.n[2],
+        ]
+    }
+
+    /// Square of the radial over the geometric distance: at least one.
+    #[inline(always)]
+    fn square_stretch(&self) -> f64 {
+        self.q[0] * self.q[0] + self.q[1] * self.q[1] + self.q[2] * self.q[2]
+    }
+
+    /// The geometric distance and its derivatives, as in `geometric_row`.
+    #[inline(always)]
+    fn geometric_row(
+        &self,
+        view: &ModelView,
+        scratch: &Scratch,
+        i: usize,
+        radial: &[f64; COLUMNS],
+        square_stretch: f64,
+    ) -> [f64; COLUMNS] {
+        let [e1, e2] = view.exponents;
+        let [x, y, z] = self.x;
+        let inverse_square = 1.0 / square_stretch;
+        let beta = [
+            self.q[0] * self.q[0] * inverse_square,
+            self.q[1] * self.q[1] * inverse_square,
+            self.q[2] * self.q[2] * inverse_square,
+        ];
+        let meridian_odds = negated_if(scratch.meridian_log_power[i], self.is_equatorial);
+        let equator_odds = negated_if(scratch.equator_log_power[i], self.is_x_greatest);
+        let a = self.alpha[2] - beta[2];
+        let b = beta[0] * self.shares[1] - beta[1] * self.shares[0];
+        let (meridian, equator) = (a * (2.0 / e1), b * (2.0 / e2));
+        let by_size =
+            [meridian * self.shares[0] + equator, meridian * self.shares[1] - equator, -meridian];
+        let flattening = 1.0 / (self.radius * self.radius);
+        let n = [
+            x * flattening + quotient(by_size[0] - beta[0], x),
+            y * flattening + quotient(by_size[1] - beta[1], y),
+            z * flattening + quotient(by_size[2] - beta[2], z),
+        ];
+        let moment = cross(n, self.x);
+        let log_gradient = [
+            0.0,
+            -by_size[0],
+            -by_size[1],
+            -by_size[2],
+            -a * meridian_odds * (1.0 / e1),
+            0.5 * meridian * self.entropies[1] - b * equator_odds * (1.0 / e2),
+            moment[0],
+            moment[1],
+            moment[2],
+            -n[0],
+            -n[1],
+            -n[2],
+        ];
+        let inverse = inverse_square.sqrt();
+        let mut row = *radial;
+        for (entry, slope) in row.iter_mut().zip(log_gradient) {
+            *entry = (*entry - self.distance * slope) * inverse;
+        }
+        row
+    }
+}
+
+/// A magnitude with the sign of `x`; zero at zero.
+#[inline(always)]
+fn signed(magnitude: f64, x: f64) -> f64 {
+    let signed = magnitude.copysign(x);
+    if x == 0.0 { 0.0 } else { signed }
+}
+
+/// `a / x`; zero at zero.
+#[inline(always)]
+fn quotient(a: f64, x: f64) -> f64 {
+    let quotient = a / x;
+    if x == 0.0 { 0.0 } else { quotient }
+}
+
+#[inline(always)]
+fn negated_if(value: f64, condition: bool) -> f64 {
+    let negated = -value;
+    if condition { negated } else { value }
+}
+
+#[inline(always)]
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }

@@ -23,9 +23,21 @@ pub(super) fn gram_portable(view: &ModelView, points: [&[f64]; 3]) -> Gram {
     gram_blocks::<PortableTile, false>(view, points)
 }
 
-/// The body of every path, compiled anew inside each.
+/// The body of every path, compiled anew inside each, and once for each residual.
 #[inline(always)]
 fn gram_blocks<P: TileProducts, const FMA: bool>(view: &ModelView, points: [&[f64]; 3]) -> Gram {
+    if view.is_geometric {
+        gram_of::<P, FMA, true>(view, points)
+    } else {
+        gram_of::<P, FMA, false>(view, points)
+    }
+}
+
+#[inline(always)]
+fn gram_of<P: TileProducts, const FMA: bool, const GEOMETRIC: bool>(
+    view: &ModelView,
+    points: [&[f64]; 3],
+) -> Gram {
     let mut scratch = Scratch::new();
     let mut rows = Rows::new();
     let mut total = Gram::zero();
@@ -33,7 +45,7 @@ fn gram_blocks<P: TileProducts, const FMA: bool>(view: &ModelView, points: [&[f6
     for start in (0..count).step_by(BLOCK) {
         let end = count.min(start + BLOCK);
         let block = points.map(|column| &column[start..end]);
-        write_rows::<FMA>(view, block, &mut scratch, &mut rows);
+        write_rows::<FMA, GEOMETRIC>(view, block, &mut scratch, &mut rows);
         total.add_block::<P>(&rows);
     }
     total

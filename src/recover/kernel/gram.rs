@@ -13,7 +13,9 @@ pub(crate) const COLUMNS: usize = PARAMETERS + 1;
 pub(super) struct Rows {
     /// The residual and its derivatives.
     pub columns: Columns,
-    /// The squared first-order geometric distance `d^2 / |grad d|^2`.
+    /// The squared radial distance.
+    pub radial_squares: [f64; BLOCK],
+    /// The squared first-order geometric distance.
     pub geometric_squares: [f64; BLOCK],
 }
 
@@ -21,7 +23,8 @@ pub(super) type Columns = [[f64; BLOCK]; COLUMNS];
 
 impl Rows {
     pub fn new() -> Self {
-        Self { columns: [[0.0; BLOCK]; COLUMNS], geometric_squares: [0.0; BLOCK] }
+        let zero = [0.0; BLOCK];
+        Self { columns: [zero; COLUMNS], radial_squares: zero, geometric_squares: zero }
     }
 }
 
@@ -33,6 +36,8 @@ pub(super) const TILE: usize = 3;
 pub(crate) struct Gram {
     /// The matrix: symmetric, upper triangle in use.
     pub matrix: [[f64; COLUMNS]; COLUMNS],
+    /// Sum of squared radial distances.
+    pub radial_squares: f64,
     /// Sum of squared first-order geometric distances.
     pub geometric_squares: f64,
 }
@@ -40,7 +45,7 @@ pub(crate) struct Gram {
 impl Gram {
     /// That of no rows.
     pub fn zero() -> Self {
-        Self { matrix: [[0.0; COLUMNS]; COLUMNS], geometric_squares: 0.0 }
+        Self { matrix: [[0.0; COLUMNS]; COLUMNS], radial_squares: 0.0, geometric_squares: 0.0 }
     }
 
     /// Adds the Gram matrix of other rows.
@@ -50,6 +55,7 @@ impl Gram {
                 *entry += other_entry;
             }
         }
+        self.radial_squares += other.radial_squares;
         self.geometric_squares += other.geometric_squares;
     }
 
@@ -71,6 +77,7 @@ impl Gram {
                 }
             }
         }
+        self.radial_squares += lane_sum(&rows.radial_squares);
         self.geometric_squares += lane_sum(&rows.geometric_squares);
     }
 }

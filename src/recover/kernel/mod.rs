@@ -11,7 +11,7 @@ mod gram;
 mod view;
 
 pub(crate) use gram::{COLUMNS, Gram};
-pub(crate) use view::ModelView;
+pub(crate) use view::{ModelView, Residual};
 
 use rayon::prelude::*;
 

@@ -7,6 +7,7 @@ use rand_chacha::ChaCha8Rng;
 use super::*;
 use crate::model::Model;
 use crate::pose::Pose;
+use crate::recover::geometric::geometric_row;
 use crate::recover::normalization::Normalization;
 use crate::recover::radial::radial_row;
 use crate::shape::Superellipsoid;
@@ -19,34 +20,54 @@ fn columns(points: &[[f64; 3]]) -> [Vec<f64>; 3] {
     std::array::from_fn(|k| points.iter().map(|p| p[k]).collect())
 }
 
-fn view_of(shape: Superellipsoid, pose: Pose) -> ModelView {
-    ModelView::new(&Normalization::identity(), &Model { shape, pose })
+const RESIDUALS: [Residual; 3] = [
+    Residual::Radial,
+    Residual::Geometric { saturation: 0.0 },
+    Residual::Geometric { saturation: 25.0 },
+];
+
+fn view_of(shape: Superellipsoid, pose: Pose, residual: Residual) -> ModelView {
+    ModelView::new(&Normalization::identity(), &Model { shape, pose }, residual)
 }
 
 /// The scalar row, as columns are ordered: the residual first.
 fn scalar_row(view: &ModelView, point: [f64; 3]) -> [f64; COLUMNS] {
-    let row = radial_row(view.model_from_cloud(point), &view.size, &view.exponents);
-    let mut columns = [row.distance; COLUMNS];
-    columns[1..].copy_from_slice(&row.gradient);
+    let x = view.model_from_cloud(point);
+    let row = if view.is_geometric { geometric_row } else { radial_row };
+    let row = row(x, &view.size, &view.exponents);
+    let share = 1.0 / (1.0 + view.saturation * row.distance * row.distance);
+    let mut columns = [row.distance * share.sqrt(); COLUMNS];
+    for (column, slope) in columns[1..].iter_mut().zip(row.gradient) {
+        *column = slope * share.powf(1.5);
+    }
     columns
 }
 
-/// The squared distance over the squared gradient, of a scalar row.
-fn geometric_square(row: &[f64; COLUMNS]) -> f64 {
-    row[0] * row[0] / row[9..].iter().map(|n| n * n).sum::<f64>()
+/// The squared radial and geometric distances.
+fn squares(view: &ModelView, point: [f64; 3]) -> [f64; 2] {
+    let x = view.model_from_cloud(point);
+    [radial_row, geometric_row].map(|row| row(x, &view.size, &view.exponents).distance.powi(2))
 }
 
 /// What the entries of a row are sums of: lengths, and for the normal and its moments the terms
-/// that cancel far inside a long shape.
-fn scales(row: &[f64; COLUMNS], point: [f64; 3]) -> [f64; COLUMNS] {
-    let radius = Vector3::from(point).norm().max(1e-100);
-    let surface = radius - row[0];
-    let steepest = row[9..].iter().fold(1.0 + surface / radius, |most, n| most.max(n.abs()));
+/// that cancel far inside a long shape. Those of a geometric row carry the curvature of the
+/// surface, `2/e` over the coordinates, times the distance.
+fn scales(view: &ModelView, point: [f64; 3]) -> [f64; COLUMNS] {
+    let x = view.model_from_cloud(point);
+    let radial = radial_row(x, &view.size, &view.exponents);
+    let radius = Vector3::from(x).norm().max(1e-100);
+    let surface = radius - radial.distance;
+    let reach = radius.max(surface);
+    let steepest =
+        radial.gradient[8..].iter().fold(1.0 + surface / radius, |most, n| most.max(n.abs()));
+    let least = x.iter().fold(f64::INFINITY, |least, c| least.min(c.abs().max(1e-100)));
+    let [e1, e2] = view.exponents;
+    let bend = if view.is_geometric { (2.0 / e1 + 2.0 / e2) * reach } else { 0.0 };
     std::array::from_fn(|column| match column {
-        0 => radius.max(surface),
-        1..=5 => surface,
-        6..=8 => steepest * radius,
-        _ => steepest,
+        0 => reach,
+        1..=5 => surface + 700.0 * bend,
+        6..=8 => (steepest + bend / least) * radius,
+        _ => steepest + bend / least,
     })
 }
 
@@ -67,15 +88,18 @@ fn random_points(rng: &mut ChaCha8Rng, count: usize) -> Vec<[f64; 3]> {
     (0..count).map(|_| std::array::from_fn(|_| rng.random_range(-2.0..2.0))).collect()
 }
 
-fn assert_rows_agree<const FMA: bool>(view: &ModelView, points: &[[f64; 3]]) {
+fn assert_rows_agree<const FMA: bool, const GEOMETRIC: bool>(
+    view: &ModelView,
+    points: &[[f64; 3]],
+) {
     let mut scratch = block::Scratch::new();
     let mut rows = gram::Rows::new();
     for block in points.chunks(gram::BLOCK) {
         let [x, y, z] = columns(block);
-        block::write_rows::<FMA>(view, [&x, &y, &z], &mut scratch, &mut rows);
+        block::write_rows::<FMA, GEOMETRIC>(view, [&x, &y, &z], &mut scratch, &mut rows);
         for (i, point) in block.iter().enumerate() {
             let expected = scalar_row(view, *point);
-            let scales = scales(&expected, *point);
+            let scales = scales(view, *point);
             for k in 0..COLUMNS {
                 let error = (rows.columns[k][i] - expected[k]).abs();
                 assert!(
@@ -87,7 +111,9 @@ fn assert_rows_agree<const FMA: bool>(view: &ModelView, points: &[[f64; 3]]) {
             }
         }
         assert!(rows.columns.iter().all(|column| column[block.len()..].iter().all(|v| *v == 0.0)));
-        assert!(rows.geometric_squares[block.len()..].iter().all(|v| *v == 0.0));
+        for squares in [&rows.radial_squares, &rows.geometric_squares] {
+            assert!(squares[block.len()..].iter().all(|v| *v == 0.0));
+        }
     }
 }
 
@@ -98,9 +124,16 @@ fn block_rows_agree_with_the_scalar_row_at_adversarial_points() {
         for e2 in [0.05, 0.3, 1.0, 1.9, 2.0] {
             for size in [[1.0, 1.0, 1.0], [0.5, 1.0, 3.0], [0.02, 2.0, 1.0]] {
                 let shape = Superellipsoid::new(size, [e1, e2]).unwrap();
-                let view = view_of(shape, Pose::identity());
-                assert_rows_agree::<false>(&view, &points);
-                assert_rows_agree::<true>(&view, &points);
+                for residual in RESIDUALS {
+                    let view = view_of(shape, Pose::identity(), residual);
+                    if view.is_geometric {
+                        assert_rows_agree::<false, true>(&view, &points);
+                        assert_rows_agree::<true, true>(&view, &points);
+                    } else {
+                        assert_rows_agree::<false, false>(&view, &points);
+                        assert_rows_agree::<true, false>(&view, &points);
+                    }
+                }
             }
         }
     }
@@ -109,24 +142,32 @@ fn block_rows_agree_with_the_scalar_row_at_adversarial_points() {
 #[test]
 fn every_path_sums_the_scalar_rows() {
     let points = random_points(&mut ChaCha8Rng::seed_from_u64(3), 1000);
-    let [x, y, z] = columns(&points);
     let shape = Superellipsoid::new([0.5, 1.0, 1.5], [0.4, 1.3]).unwrap();
     let pose = Pose::from_euler_zyz([0.3, 0.8, -1.0], Vector3::new(0.1, 0.0, -0.2));
-    let view = view_of(shape, pose);
-    for count in [1, 127, 128, 129, points.len()] {
-        let rows: Vec<_> = points[..count].iter().map(|p| scalar_row(&view, *p)).collect();
-        let scales: Vec<_> = rows.iter().zip(&points).map(|(row, p)| scales(row, *p)).collect();
-        let slices = [&x[..count], &y[..count], &z[..count]];
-        for actual in [dispatch::gram(&view, slices), dispatch::gram_portable(&view, slices)] {
-            let geometric: f64 = rows.iter().map(geometric_square).sum();
-            assert!((actual.geometric_squares - geometric).abs() <= TOLERANCE * geometric);
-            for i in 0..COLUMNS {
-                for j in i..COLUMNS {
-                    let expected: f64 = rows.iter().map(|row| row[i] * row[j]).sum();
-                    let scale: f64 = scales.iter().map(|s| s[i] * s[j]).sum();
-                    let error = (actual.matrix[i][j] - expected).abs();
-                    assert!(error <= TOLERANCE * scale, "[{i}][{j}] of {count}: {error}");
-                }
+    for residual in RESIDUALS {
+        let view = view_of(shape, pose, residual);
+        for count in [1, 127, 128, 129, points.len()] {
+            assert_sums_agree(&view, &points[..count]);
+        }
+    }
+}
+
+fn assert_sums_agree(view: &ModelView, points: &[[f64; 3]]) {
+    let [x, y, z] = columns(points);
+    let rows: Vec<_> = points.iter().map(|point| scalar_row(view, *point)).collect();
+    let scales: Vec<_> = points.iter().map(|point| scales(view, *point)).collect();
+    let squares: Vec<_> = points.iter().map(|point| squares(view, *point)).collect();
+    let [radial, geometric] = [0, 1].map(|k| squares.iter().map(|s| s[k]).sum::<f64>());
+    for actual in [dispatch::gram(view, [&x, &y, &z]), dispatch::gram_portable(view, [&x, &y, &z])]
+    {
+        assert!((actual.radial_squares - radial).abs() <= TOLERANCE * radial);
+        assert!((actual.geometric_squares - geometric).abs() <= TOLERANCE * geometric);
+        for i in 0..COLUMNS {
+            for j in i..COLUMNS {
+                let expected: f64 = rows.iter().map(|row| row[i] * row[j]).sum();
+                let scale: f64 = scales.iter().map(|scale| scale[i] * scale[j]).sum();
+                let error = (actual.matrix[i][j] - expected).abs();
+                assert!(error <= TOLERANCE * scale, "[{i}][{j}] of {view:?}: {error}");
             }
         }
     }
@@ -138,7 +179,7 @@ fn threads_do_not_change_a_byte() {
     let [x, y, z] = columns(&random_points(&mut rng, 5 * CHUNK + 17));
     let shape = Superellipsoid::new([1.0, 0.8, 1.5], [0.4, 1.2]).unwrap();
     let pose = Pose::from_euler_zyz([0.3, 0.8, -1.0], Vector3::new(0.1, 0.0, -0.2));
-    let view = view_of(shape, pose);
+    let view = view_of(shape, pose, Residual::Radial);
     let one = gram(&view, [&x, &y, &z], false);
     let many = gram(&view, [&x, &y, &z], true);
     assert_eq!(one, many);

@@ -3,6 +3,18 @@
 use crate::model::Model;
 use crate::recover::normalization::Normalization;
 
+/// What is minimised, in normalised units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Residual {
+    /// The radial Euclidean distance (JLS Eq. 2.43).
+    Radial,
+    /// The first-order geometric distance g as `g / sqrt(1 + s g^2)`: itself where `s = 0`.
+    Geometric {
+        /// The saturation s, one over the square of the distance that counts as stray.
+        saturation: f64,
+    },
+}
+
 /// Everything that the rows of a pass share.
 #[derive(Debug, Clone)]
 pub(crate) struct ModelView {
@@ -15,11 +27,13 @@ pub(crate) struct ModelView {
     pub(super) size: [f64; 3],
     pub(super) inverse_size: [f64; 3],
     pub(super) exponents: [f64; 2],
+    pub(super) is_geometric: bool,
+    pub(super) saturation: f64,
 }
 
 impl ModelView {
     /// The view of a model given in normalised coordinates.
-    pub fn new(normalization: &Normalization, model: &Model) -> Self {
+    pub fn new(normalization: &Normalization, model: &Model, residual: Residual) -> Self {
         let rotation = model.pose.rotation().matrix();
         let size = model.shape.size();
         Self {
@@ -29,6 +43,11 @@ impl ModelView {
             size,
             inverse_size: size.map(f64::recip),
             exponents: model.shape.exponents(),
+            is_geometric: matches!(residual, Residual::Geometric { .. }),
+            saturation: match residual {
+                Residual::Radial => 0.0,
+                Residual::Geometric { saturation } => saturation,
+            },
         }
     }
 
