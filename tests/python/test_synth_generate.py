@@ -235,7 +235,9 @@ def test_strays_have_their_share_and_their_box(tmp_path):
 @needs_open3d
 def test_too_few_pixels_are_refused_and_nothing_is_left(tmp_path):
     far = [("fill = [0.33, 0.5]", "distance = 50"), ("backdrop = 2.0\n", "")]
-    with pytest.raises(SynthError, match="seen-0000: none of 20 viewpoints shows the whole"):
+    with pytest.raises(
+        SynthError, match="small, scene seen-0000: none of 20 viewpoints shows the whole"
+    ):
         made(tmp_path, *far)
     assert {path.name for path in tmp_path.iterdir()} == {"suite.toml"}
 

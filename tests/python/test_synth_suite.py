@@ -58,6 +58,7 @@ def test_a_level_has_the_sensor_without_what_is_switched_off(tmp_path):
         (("scenes = 2", "scenes = 2.5"), "scenes: must be a whole number from 1, found 2.5"),
         (("seed = 11", "seed = true"), "seed: must be a whole number from 0, found True"),
         (('unit = "m"', 'unit = "inch"'), "unit: must be one of m, none, found 'inch'"),
+        (("[300, 400]", "[300, 400.5]"), "level[0].points: must be whole"),
         (("[300, 400]", "[400, 300]"), "level[0].points: must be a pair in rising order"),
         (("[[0.1, 1.9], [0.1, 1.9]]", "[0.1, 2.5]"), "from 0.01 to 2, found 2.5"),
         (("[[0.1, 1.9], [0.1, 1.9]]", "[0.1]"), "family[0].exponents: must be a list of 2"),

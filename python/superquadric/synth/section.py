@@ -79,6 +79,13 @@ class Section:
         """A number, or a pair of the least and the greatest, within `least` and `greatest`."""
         return self._range(key, self._take(key, default), least, greatest)
 
+    def whole_span(self, key: str, least: int, greatest: int) -> tuple[int, int]:
+        """A whole number or a pair of them, as in `span`."""
+        low, high = self.span(key, least, greatest)
+        if not (low.is_integer() and high.is_integer()):
+            self.fail(key, f"must be whole, found {[low, high]!r}")
+        return int(low), int(high)
+
     def spans(self, key: str, count: int, least: float, greatest: float) -> tuple[Range, ...]:
         """`count` entries, each of them as in `span`."""
         values = self._take(key, None)

@@ -3,6 +3,9 @@
 Pixels at depth jumps mix the depths of both sides, or are lost; the depth gets noise that grows
 with its square, along the ray; then it is rounded to a step of the disparity; pixels that see
 the surface at a grazing angle are lost. Each part can be switched off.
+
+Unlike those of real sensors, errors of neighbouring pixels are independent, and there are no
+shadows, where one of two eyes sees nothing.
 """
 
 from __future__ import annotations

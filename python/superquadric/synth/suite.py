@@ -275,9 +275,8 @@ def _viewpoint(section: Section, placement: Floating | Standing) -> Viewpoint:
         raise SuiteError("camera: needs either fill or distance")
     has_fill = section.has("fill")
     reach = section.span("fill", 0.01, 0.9) if has_fill else section.span("distance", LEAST_EXTENT)
-    elevation = section.span(
-        "elevation_deg", -90.0, 90.0, (0.0 if isinstance(placement, Standing) else -90.0, 90.0)
-    )
+    lowest = 0.0 if isinstance(placement, Standing) else -90.0
+    elevation = section.span("elevation_deg", lowest, 90.0, (lowest, 90.0))
     return Viewpoint(
         chosen_by="fill" if has_fill else "distance",
         reach=reach,
@@ -293,12 +292,11 @@ def _level(section: Section) -> Level:
         preset = section.choice("sensor", tuple(PRESETS))
         without = section.choices("without", tuple(PARTS), [])
         source = DepthMap(preset=preset, sensor=PRESETS[preset].without(without))
-    least, greatest = section.span("points", 1, ANY_POINTS)
     level = Level(
         name=_file_name(section, "name"),
         source=source,
         strays=section.number("strays", 0.0, 0.95, default=0.0),
-        points=(round(least), round(greatest)),
+        points=section.whole_span("points", 1, ANY_POINTS),
     )
     section.finish()
     return level

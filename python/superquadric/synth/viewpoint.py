@@ -14,7 +14,7 @@ from .pose import motion, moved, turn
 from .suite import Floating, Standing, Viewpoint
 
 FILL_ROUNDS = 8
-"""Corrections of the distance, each of which leaves a few per cent of the error."""
+"""Corrections of the distance, to whose inverse the share of the image is nearly proportional."""
 NEAREST = 1.2
 """Least distance from the object's centre, in radii of the sphere that holds it."""
 
