@@ -8,6 +8,7 @@ Frames are in names: `model`, `world`, and `camera` with x to the right, y down 
 
 from .errors import MissingExtraError, SuiteError, SynthError
 from .generate import generate
-from .suite import Suite, read_suite
+from .suite import Suite
+from .suite_file import read_suite
 
 __all__ = ["MissingExtraError", "Suite", "SuiteError", "SynthError", "generate", "read_suite"]

@@ -10,7 +10,8 @@ from pathlib import Path
 from .errors import SynthError
 from .generate import generate
 from .progress import Progress
-from .suite import Suite, read_suite
+from .suite import Suite
+from .suite_file import read_suite
 
 SHIPPED = Path("data_synth")
 """Where the suites stand, seen from the root of the repository."""

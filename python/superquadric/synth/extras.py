@@ -17,5 +17,6 @@ def require(package: str) -> Any:
     except ImportError as error:
         raise MissingExtraError(
             f"{package} cannot be imported ({error}): pip install 'superquadric[synth]'; "
-            "on Debian and Ubuntu open3d needs libusb-1.0-0, libgl1 and libx11-6 from apt as well"
+            "on Debian and Ubuntu open3d also needs libusb-1.0-0, libegl1, libgl1, libx11-6 and "
+            "libidn2-0 from apt"
         ) from error
