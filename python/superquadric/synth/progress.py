@@ -1,0 +1,25 @@
+"""A bar on a terminal, and nothing elsewhere."""
+
+from __future__ import annotations
+
+from typing import TextIO
+
+WIDTH = 30
+
+
+class Progress:
+    """Shows how many scenes are written; call it with that number and the number of all."""
+
+    def __init__(self, label: str, stream: TextIO) -> None:
+        """Show on a stream."""
+        self._label, self._stream = label, stream
+
+    def __call__(self, done: int, total: int) -> None:
+        """Redraw the bar, and end its line when all is done."""
+        if not self._stream.isatty():
+            return
+        full = WIDTH * done // total
+        bar = "#" * full + "." * (WIDTH - full)
+        end = "\n" if done == total else ""
+        self._stream.write(f"\r{self._label} [{bar}] {done}/{total}{end}")
+        self._stream.flush()
