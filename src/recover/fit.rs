@@ -37,7 +37,8 @@ const MEDIUM: Effort = Effort { tolerance: 1e-6, patience: 5, step_bound: 1.0 };
 const FINISH: Effort = Effort { tolerance: 1e-8, patience: 16, step_bound: 1.0 };
 
 /// Recovers a superellipsoid in general position from the points of its surface: the model that
-/// minimises the sum of squared radial Euclidean distances (JLS Eq. 2.43).
+/// minimises the sum of the squares of `options.distance`, by default the first-order geometric
+/// one, from the best minima of the radial one (JLS Eq. 2.43).
 ///
 /// # Errors
 /// If the points are fewer than the parameters, coincide, lie on one line, or have coordinates

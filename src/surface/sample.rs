@@ -17,13 +17,16 @@ use crate::shape::{Superellipsoid, superellipse_norm};
 /// next to cusps are drawn too rarely.
 pub fn sample_surface(shape: &Superellipsoid, count: usize, seed: u64) -> Vec<Vector3<f64>> {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
-    let cone = ConeMeasure::new(shape);
-    let bound = greatest_slope(shape);
+    // In units of its greatest semi-axis no shape's slopes overflow or vanish.
+    let unit = shape.size().into_iter().fold(0.0, f64::max);
+    let shape = shape.scaled(unit.recip());
+    let cone = ConeMeasure::new(&shape);
+    let bound = greatest_slope(&shape);
     let mut draw = || loop {
         let x = cone.draw(&mut rng);
         let is_refused = rng.random::<f64>() * bound > shape.gauge_gradient(&x).norm();
         if !is_refused {
-            return x;
+            return x * unit;
         }
     };
     (0..count).map(|_| draw()).collect()
