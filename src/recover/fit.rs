@@ -2,7 +2,7 @@
 
 use rayon::ThreadPoolBuilder;
 
-use super::descent::{Effort, Interrupt, PointSet, descend};
+use super::descent::{Effort, Interrupt, PointSet};
 use super::doubt::{doubts, require_extent};
 use super::error::FitError;
 use super::kernel::Residual;
@@ -17,8 +17,12 @@ use crate::cloud::PointCloud;
 /// Points that the coarse descents look at.
 const COARSE_POINTS: usize = 256;
 
-/// Points on which the best few are told apart.
-const MEDIUM_POINTS: usize = 10_000;
+/// Points of the stages between the coarse search and all points: on the first the best few
+/// minima are told apart, the next brings the best near the minimum of all.
+const STAGES: [usize; 2] = [2_500, 50_000];
+
+/// How many times a stage's points a cloud must have for the stage to save work.
+const WORTH_A_STAGE: usize = 3;
 
 /// Points from which on a pass is worth sharing among threads.
 const PARALLEL_POINTS: usize = 16_384;
@@ -30,7 +34,7 @@ const SWITCHED_FINALISTS: usize = 6;
 /// Minima that are taken on to more points.
 const FINALISTS: usize = 3;
 
-/// To tell the finalists apart, and to leave little to do on all points.
+/// To tell the finalists apart, and to leave little to do on more points.
 const MEDIUM: Effort = Effort { tolerance: 1e-6, patience: 5, step_bound: 1.0 };
 
 /// To the end.
@@ -88,13 +92,8 @@ fn fit_in_pool(
         is_interrupted,
     };
     let search = search(&all, &moments, options);
-    let (starts, mut passes) = (search.starts, search.passes);
-    let mut best = search.into_best().ok_or(FitError::Unbounded)?;
-    if all.len() > MEDIUM_POINTS {
-        let all = PointSet { residual: residual(options.distance), ..all };
-        best = descend(&all, &best.model, &FINISH).unwrap_or(best);
-        passes += best.passes;
-    }
+    let (starts, passes) = (search.starts, search.passes);
+    let best = search.into_best().ok_or(FitError::Unbounded)?;
 
     let in_cloud = moments.normalization.cloud_from_normalized(&best.model);
     Ok(Fit {
@@ -121,22 +120,27 @@ fn normalize(cloud: &PointCloud) -> Result<Moments, FitError> {
     Ok(moments)
 }
 
-/// The search on a part of the points; on all of them, and to the end, where they are few.
+/// The search: on a few hundred points for the minima, from coarse to fine for the best of them.
 fn search(all: &PointSet, moments: &Moments, options: &FitOptions) -> Search {
-    let few = Subset::stratified(all.points, COARSE_POINTS, options.seed);
+    let subset = |count| Subset::stratified(all.points, count, options.seed);
+    let few = subset(COARSE_POINTS);
     let few = PointSet { points: few.columns(), parallel: false, ..*all };
     let mut search = Search::coarse(&few, moments);
+
     let residual = residual(options.distance);
     if residual != few.residual {
         search.refine(&PointSet { residual, ..few }, &BRIEF, SWITCHED_FINALISTS);
     }
-    if all.len() <= MEDIUM_POINTS {
-        search.refine(&PointSet { residual, ..*all }, &FINISH, FINALISTS);
-    } else {
-        let some = Subset::stratified(all.points, MEDIUM_POINTS, options.seed);
-        let some = PointSet { points: some.columns(), parallel: false, residual, ..*all };
-        search.refine(&some, &MEDIUM, FINALISTS);
+    let mut finalists = FINALISTS;
+    for count in STAGES {
+        if all.len() >= WORTH_A_STAGE * count {
+            let some = subset(count);
+            let some = PointSet { points: some.columns(), parallel: false, residual, ..*all };
+            search.refine(&some, &MEDIUM, finalists);
+            finalists = 1;
+        }
     }
+    search.refine(&PointSet { residual, ..*all }, &FINISH, finalists);
     search
 }
 
