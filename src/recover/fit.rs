@@ -98,6 +98,7 @@ fn fit_in_pool(
     let in_cloud = moments.normalization.cloud_from_normalized(&best.model);
     Ok(Fit {
         model: in_cloud.canonical(),
+        distance: options.distance,
         termination: best.termination,
         doubts: doubts(&best, &moments, cloud.len()),
         rms_radial: best.radial_mean_square.sqrt() * moments.normalization.radius,

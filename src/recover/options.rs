@@ -25,3 +25,13 @@ pub struct FitOptions {
     /// depend on it.
     pub threads: Option<NonZeroUsize>,
 }
+
+impl Distance {
+    /// A name for machines: `radial` or `geometric`.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Radial => "radial",
+            Self::Geometric => "geometric",
+        }
+    }
+}

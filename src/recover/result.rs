@@ -4,6 +4,7 @@ use std::fmt;
 
 use levenberg_marquardt::TerminationReason;
 
+use super::options::Distance;
 use crate::model::Model;
 
 /// A recovered model with the evidence for it.
@@ -11,13 +12,15 @@ use crate::model::Model;
 pub struct Fit {
     /// The model, in the cloud's coordinates and in canonical form.
     pub model: Model,
+    /// The distance whose squares were minimised.
+    pub distance: Distance,
     /// How the last descent ended.
     pub termination: Termination,
     /// Reasons not to trust the model; none if it can be trusted.
     pub doubts: Vec<Doubt>,
     /// Root mean square of the radial Euclidean distances (JLS Eq. 2.43), in the cloud's unit.
     pub rms_radial: f64,
-    /// Root mean square of the first-order geometric distances `d / |grad d|`, in the cloud's
+    /// Root mean square of the first-order geometric distances `(H - 1)/|grad H|`, in the cloud's
     /// unit: nearly the distance from the surface, which the radial one exceeds where the
     /// surface is oblique to its ray.
     pub rms_geometric: f64,

@@ -143,6 +143,7 @@ pub struct FitDocument {
 
 #[derive(Debug, Clone, Serialize)]
 struct EvidenceDocument {
+    distance: &'static str,
     status: &'static str,
     termination: &'static str,
     trusted: bool,
@@ -171,6 +172,7 @@ impl FitDocument {
             schema: FIT_SCHEMA,
             model: ModelDocument::from(&fit.model),
             fit: EvidenceDocument {
+                distance: fit.distance.name(),
                 status: fit.termination.status(),
                 termination: fit.termination.reason,
                 trusted: fit.is_trusted(),
