@@ -97,3 +97,26 @@ fn skipped_rows_are_counted() {
     let fit = attempt(&points).unwrap();
     assert_eq!((fit.points, fit.points_skipped), (500, 2));
 }
+
+/// One side of a cylinder capped by cones: not a superellipsoid, and seen in part. Independent
+/// noise of the same size leaves no doubt about a shape that fits.
+#[test]
+fn residuals_that_err_together_cast_doubt_on_what_is_not_seen() {
+    let mut scene = Scene::new(6);
+    let spire: Vec<[f64; 3]> = (0..1500)
+        .map(|_| {
+            let [angle, height] =
+                [scene.uniform(0.0, std::f64::consts::PI), scene.uniform(-2.0, 2.0)];
+            let radius = (2.0 - height.abs()).min(1.0) * (1.0 + 0.1 * (3.0 * angle).sin());
+            [radius * angle.cos(), radius * angle.sin(), height]
+        })
+        .collect();
+    let fit = attempt(&spire).unwrap();
+    let uncertain = |doubt: &Doubt| matches!(doubt, Doubt::UncertainSize { .. });
+    assert!(fit.doubts.iter().any(uncertain), "{fit:?}");
+
+    let noise = fit.rms_geometric;
+    let truth = scene.place([1.0, 1.0, 2.0], [1.0, 1.0]);
+    let fit = attempt(&scene.cloud(&truth, 1500, noise / truth.shape.mean_semi_axis())).unwrap();
+    assert!(fit.is_trusted(), "{:?}", fit.doubts);
+}

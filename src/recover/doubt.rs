@@ -1,10 +1,10 @@
 //! Whether a cloud can be fitted, and whether to believe what was fitted to it.
 
-use super::descent::Descent;
+use super::descent::{Descent, PointSet};
 use super::error::FitError;
 use super::normalization::Moments;
 use super::result::Doubt;
-use super::uncertainty::size_errors;
+use super::uncertainty::{dependence, size_errors};
 use crate::canonical::axis_order;
 
 /// A spread of fewer steps of the coordinates' rounding than this is no shape.
@@ -41,8 +41,13 @@ fn flatness(moments: &Moments) -> f64 {
     FLATNESS * moments.deviations[0] + LEAST_RESOLVED * moments.resolution
 }
 
-/// The reasons not to trust where a fit has ended.
-pub(crate) fn doubts(descent: &Descent, moments: &Moments, points: usize) -> Vec<Doubt> {
+/// The reasons not to trust where a fit has ended; `sample` is some of its points.
+pub(crate) fn doubts(
+    descent: &Descent,
+    moments: &Moments,
+    sample: &PointSet,
+    points: usize,
+) -> Vec<Doubt> {
     let mut doubts = Vec::new();
     if !descent.termination.at_minimum {
         doubts.push(Doubt::NotConverged(descent.termination));
@@ -55,7 +60,8 @@ pub(crate) fn doubts(descent: &Descent, moments: &Moments, points: usize) -> Vec
     if moments.deviations[2] <= flatness(moments) {
         doubts.push(Doubt::Flat);
     }
-    let errors = size_errors(descent, points, moments.resolution);
+    let dependence = dependence(sample, descent, points);
+    let errors = size_errors(descent, points, moments.resolution, dependence);
     for (axis, place) in axis_order(&descent.model.shape).into_iter().enumerate() {
         let relative_error = errors[place];
         if relative_error > GREATEST_SIZE_ERROR {

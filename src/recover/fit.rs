@@ -91,7 +91,9 @@ fn fit_in_pool(
         residual: Residual::Radial,
         is_interrupted,
     };
-    let search = search(&all, &moments, options);
+    let few = Subset::stratified(all.points, COARSE_POINTS, options.seed);
+    let few = PointSet { points: few.columns(), parallel: false, ..all };
+    let search = search(&few, &all, &moments, options);
     let (starts, passes) = (search.starts, search.passes);
     let best = search.into_best().ok_or(FitError::Unbounded)?;
 
@@ -100,7 +102,7 @@ fn fit_in_pool(
         model: in_cloud.canonical(),
         distance: options.distance,
         termination: best.termination,
-        doubts: doubts(&best, &moments, cloud.len()),
+        doubts: doubts(&best, &moments, &few, cloud.len()),
         rms_radial: best.radial_mean_square.sqrt() * moments.normalization.radius,
         rms_geometric: best.geometric_mean_square.sqrt() * moments.normalization.radius,
         points: cloud.len(),
@@ -122,20 +124,17 @@ fn normalize(cloud: &PointCloud) -> Result<Moments, FitError> {
 }
 
 /// The search: on a few hundred points for the minima, from coarse to fine for the best of them.
-fn search(all: &PointSet, moments: &Moments, options: &FitOptions) -> Search {
-    let subset = |count| Subset::stratified(all.points, count, options.seed);
-    let few = subset(COARSE_POINTS);
-    let few = PointSet { points: few.columns(), parallel: false, ..*all };
-    let mut search = Search::coarse(&few, moments);
+fn search(few: &PointSet, all: &PointSet, moments: &Moments, options: &FitOptions) -> Search {
+    let mut search = Search::coarse(few, moments);
 
     let residual = residual(options.distance);
     if residual != few.residual {
-        search.refine(&PointSet { residual, ..few }, &BRIEF, SWITCHED_FINALISTS);
+        search.refine(&PointSet { residual, ..*few }, &BRIEF, SWITCHED_FINALISTS);
     }
     let mut finalists = FINALISTS;
     for count in STAGES {
         if all.len() >= WORTH_A_STAGE * count {
-            let some = subset(count);
+            let some = Subset::stratified(all.points, count, options.seed);
             let some = PointSet { points: some.columns(), parallel: false, residual, ..*all };
             search.refine(&some, &MEDIUM, finalists);
             finalists = 1;

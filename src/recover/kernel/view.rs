@@ -53,7 +53,7 @@ impl ModelView {
 
     /// A point of the cloud, in the model's frame (normalised unit).
     #[inline(always)]
-    pub(super) fn model_from_cloud(&self, point: [f64; 3]) -> [f64; 3] {
+    pub fn model_from_cloud(&self, point: [f64; 3]) -> [f64; 3] {
         let Normalization { centroid, inverse_radius, .. } = self.normalization;
         let [x, y, z]: [f64; 3] = std::array::from_fn(|i| {
             (point[i] - centroid[i]) * inverse_radius - self.translation[i]
