@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::report::ModelDocument;
+
 /// One scene's row.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Record {
@@ -68,4 +70,6 @@ pub struct Score {
     pub starts: usize,
     /// Wall-clock time of the fit.
     pub seconds: f64,
+    /// The recovered model.
+    pub model: ModelDocument,
 }

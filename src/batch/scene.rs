@@ -11,7 +11,7 @@ use crate::cloud;
 use crate::compare::{rotation_error, size_error, surface_distance, volume_overlap};
 use crate::model::Model;
 use crate::recover::{FitOptions, fit};
-use crate::report::model_from_json;
+use crate::report::{ModelDocument, model_from_json};
 
 /// Points that the overlap is estimated from: a standard error of about 1e-3.
 const VOLUME_SAMPLES: usize = 40_000;
@@ -58,6 +58,7 @@ fn attempt(folder: &Path, options: &FitOptions) -> Result<Score, String> {
         evaluations: fit.evaluations,
         starts: fit.starts,
         seconds,
+        model: ModelDocument::from(&fit.model),
     })
 }
 

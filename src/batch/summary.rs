@@ -139,12 +139,17 @@ pub fn summary_table(summary: &Summary) -> String {
 mod tests {
     use super::super::record::Outcome;
     use super::*;
+    use crate::model::Model;
+    use crate::pose::Pose;
+    use crate::report::ModelDocument;
+    use crate::shape::Superellipsoid;
 
     fn record(level: &str, outcome: Outcome) -> Record {
         Record { scene: "s".into(), level: level.into(), family: "f".into(), outcome }
     }
 
     fn fitted(iou: f64, trusted: bool) -> Outcome {
+        let shape = Superellipsoid::new([1.0, 2.0, 3.0], [0.1, 1.9]).unwrap();
         Outcome::Fitted(Score {
             iou,
             iou_standard_error: 0.0,
@@ -159,6 +164,7 @@ mod tests {
             evaluations: 1,
             starts: 1,
             seconds: 0.5,
+            model: ModelDocument::from(&Model { shape, pose: Pose::identity() }),
         })
     }
 

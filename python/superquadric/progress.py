@@ -8,7 +8,7 @@ WIDTH = 30
 
 
 class Progress:
-    """Shows how many scenes are written; call it with that number and the number of all."""
+    """Shows how many scenes are done; call it with that number and the number of all."""
 
     def __init__(self, label: str, stream: TextIO) -> None:
         """Show on a stream."""
