@@ -23,7 +23,7 @@ pub struct Record {
 #[serde(tag = "status", rename_all = "snake_case")]
 pub enum Outcome {
     /// A model was found.
-    Fitted(Score),
+    Fitted(Box<Score>),
     /// None was: the scene's files or its cloud do not allow it.
     Failed {
         /// Why.

@@ -24,8 +24,8 @@ const SEED: u64 = 0;
 
 /// Fits and scores a scene; what goes wrong becomes the outcome.
 pub(super) fn evaluate(folder: &Path, entry: &SceneEntry, options: &FitOptions) -> Record {
-    let outcome =
-        attempt(folder, options).map_or_else(|error| Outcome::Failed { error }, Outcome::Fitted);
+    let outcome = attempt(folder, options)
+        .map_or_else(|error| Outcome::Failed { error }, |score| Outcome::Fitted(Box::new(score)));
     Record {
         scene: entry.name.clone(),
         level: entry.level.clone(),

@@ -150,7 +150,7 @@ mod tests {
 
     fn fitted(iou: f64, trusted: bool) -> Outcome {
         let shape = Superellipsoid::new([1.0, 2.0, 3.0], [0.1, 1.9]).unwrap();
-        Outcome::Fitted(Score {
+        Outcome::Fitted(Box::new(Score {
             iou,
             iou_standard_error: 0.0,
             surface_distance: 1.0 - iou,
@@ -165,7 +165,7 @@ mod tests {
             starts: 1,
             seconds: 0.5,
             model: ModelDocument::from(&Model { shape, pose: Pose::identity() }),
-        })
+        }))
     }
 
     #[test]

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 MOST_POINTS = 1500
+COLOURED = 0.98
+"""Share of the residuals that the scale of colours covers."""
 LINES = 17
 STEPS = 65
 MARGIN = 0.35
@@ -49,11 +51,18 @@ def case(evaluation: Evaluation, scene: str) -> Any:
     for axes in (left, right):
         _frame(axes, box, view)
     residual = np.abs(found.radial_distance(points))
-    marks = left.scatter(*_within(box, points).T, c=residual, s=4, cmap="viridis", depthshade=False)
-    figure.colorbar(marks, ax=left, shrink=0.7, label="|radial residual|")
-    left.set_title("points", fontsize="medium")
-    _wireframe(right, box, truth, "C2", "true")
-    _wireframe(right, box, found, "C3", "recovered")
+    marks = left.scatter(
+        *_within(box, points).T,
+        c=residual,
+        vmin=0,
+        vmax=np.quantile(residual, COLOURED),
+        s=4,
+        cmap="viridis",
+        depthshade=False,
+    )
+    figure.colorbar(marks, ax=left, shrink=0.7, extend="max", label="|radial residual|")
+    _wireframe(right, box, truth, "C0", "true")
+    _wireframe(right, box, found, "C1", "recovered")
     right.legend(loc="upper left", fontsize="small", frameon=False)
     return figure
 
@@ -78,8 +87,10 @@ def _view(points: Array, truth: Superellipsoid) -> tuple[float, float]:
 
 def _frame(axes: Any, box: Array, view: tuple[float, float]) -> None:
     for name, low, high in zip("xyz", *box, strict=True):
-        axes.set(**{f"{name}lim": (low, high), f"{name}ticklabels": []})
-    axes.set_box_aspect((1, 1, 1), zoom=1.15)
+        axes.set(**{f"{name}lim": (low, high)})
+    axes.set_box_aspect((1, 1, 1), zoom=1.5)
+    axes.set_proj_type("ortho")
+    axes.set_axis_off()
     axes.view_init(*view)
 
 
