@@ -152,8 +152,8 @@ def _shortcomings(results):
     wrongly = sum(level["wrongly_trusted"] for level in levels)
     poor = "".join(_poor(name, by_method["geometric"]) for name, by_method in results.items())
     return (
-        "Points that are not of the surface are not handled yet: strays (`outliers`), and the\n"
-        "flying pixels that depth cameras see at edges (`structured-light`, `active-stereo`, `view`).\n"
+        "Points that are not of the surface are not handled yet: strays (`outliers`), and flying\n"
+        "pixels at the edges of depth maps (`structured-light`, `active-stereo`, `view`).\n"
         f"\nOf all fits by `geometric` {trusted} are trusted, {wrongly} of these wrongly.\n"
         f"\nIt recovers less than half of the scenes of these levels:\n\n{poor}"
     )

@@ -19,6 +19,7 @@ __all__ = [
     "Superellipsoid",
     "SuperquadricError",
     "__version__",
+    "_evaluate_suite",
     "fit",
     "read",
     "score",

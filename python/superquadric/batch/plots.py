@@ -48,7 +48,7 @@ def success(evaluation: Evaluation, path: str | os.PathLike[str] | None = None) 
     places = np.arange(len(levels))
     for offset, (label, colour, shares) in zip([-0.27, 0.0, 0.27], bars, strict=True):
         axes.bar(places + offset, 100 * np.array(shares), 0.25, label=label, color=colour)
-    axes.set_xticks(places, [level["level"] for level in levels], parse_math=False)
+    axes.set_xticks(places, [_plain(level["level"]) for level in levels])
     axes.set(ylim=(0, 100), ylabel="scenes, %")
     figure.legend(loc="outside upper center", ncols=3, fontsize="small", frameon=False)
     return saved(figure, path)
@@ -101,6 +101,11 @@ def _write(figure: Any, target: str | os.PathLike[str] | io.BytesIO) -> None:
     figure.savefig(target, format="png", metadata={"Software": None})
 
 
+def _plain(name: str) -> str:
+    """A name that matplotlib shows as it is: not as a formula."""
+    return name.replace("$", r"\$")
+
+
 def _wrongly(level: dict[str, Any]) -> float:
     return float(level["wrongly_trusted"] / level["scenes"])
 
@@ -115,7 +120,7 @@ def _histogram(axes: Any, evaluation: Evaluation, column: str, unit: float) -> N
         values = unit * np.array(_values(evaluation, column, level["level"]))
         # What is below the least bin, such as an angle of zero, stands in it.
         values = np.maximum(values, bins[0])
-        axes.hist(values, bins, histtype="step", linewidth=1.5, label=level["level"])
+        axes.hist(values, bins, histtype="step", linewidth=1.5, label=_plain(level["level"]))
 
 
 def _values(evaluation: Evaluation, column: str, level: str | None = None) -> list[float]:
