@@ -43,7 +43,7 @@ with superquadric {version} on {cpu} ({cores} cores), from the suites of
 
 - Success: share of the scenes whose volume overlap (IoU) with the truth is at least 0.9.
 - Surface distance: symmetric mean distance of the two surfaces over the true mean semi-axis. It
-  and the time are medians.
+  and the time are medians. Times are no benchmark: [benches/runs](../benches/runs) times fits.
 - Wrongly trusted: number of scenes whose fit was trusted although its IoU is below 0.9.
 - `geometric` (the default) and `radial` are `superquadric.fit` with that distance, one thread a
   fit, as many scenes at a time as there are cores.
