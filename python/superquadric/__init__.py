@@ -7,6 +7,7 @@ Lengths are in the caller's own unit, angles in radians. A model's parameters ar
 
 from ._core import (
     ArrayError,
+    BatchError,
     CloudError,
     DocumentError,
     Fit,
@@ -24,6 +25,7 @@ from .estimator import SuperquadricEstimator
 
 __all__ = [
     "ArrayError",
+    "BatchError",
     "CloudError",
     "DocumentError",
     "Fit",

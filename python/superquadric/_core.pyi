@@ -1,6 +1,7 @@
 """Types of the extension module; its docstrings stand in the Rust sources."""
 
 import os
+from collections.abc import Callable
 from typing import Any, Literal, final, overload
 
 import numpy as np
@@ -8,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 __all__ = [
     "ArrayError",
+    "BatchError",
     "CloudError",
     "DocumentError",
     "Fit",
@@ -17,6 +19,7 @@ __all__ = [
     "Superellipsoid",
     "SuperquadricError",
     "__version__",
+    "_evaluate_suite",
     "fit",
     "read",
     "score",
@@ -26,6 +29,7 @@ __version__: str
 
 class SuperquadricError(ValueError): ...
 class ArrayError(SuperquadricError): ...
+class BatchError(SuperquadricError): ...
 class CloudError(SuperquadricError): ...
 class DocumentError(SuperquadricError): ...
 class FitError(SuperquadricError): ...
@@ -139,6 +143,15 @@ class Score:
     @property
     def rotation_error(self) -> float: ...
 
+def _evaluate_suite(
+    suite: str | os.PathLike[str],
+    results: str | os.PathLike[str],
+    *,
+    seed: int,
+    distance: str,
+    threads: int | None = None,
+    on_scene: Callable[[int, int], object] | None = None,
+) -> None: ...
 def fit(
     points: ArrayLike,
     *,

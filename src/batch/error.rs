@@ -46,6 +46,9 @@ pub enum BatchError {
         /// What was to be evaluated.
         expected: String,
     },
+    /// An evaluation that was asked to give up.
+    #[error("interrupted: what is done is kept, the same call goes on from there")]
+    Interrupted,
     /// Results that could not be written.
     #[error(transparent)]
     Output(#[from] OutputError),

@@ -39,6 +39,20 @@ pub fn evaluate(
     options: &FitOptions,
     on_scene: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Summary, BatchError> {
+    evaluate_unless(suite_folder, results_folder, options, on_scene, &|| false)
+}
+
+/// [`evaluate`], but given up between scenes as soon as `is_interrupted`; what is done is kept.
+///
+/// # Errors
+/// Those of [`evaluate`], and [`BatchError::Interrupted`].
+pub fn evaluate_unless(
+    suite_folder: &Path,
+    results_folder: &Path,
+    options: &FitOptions,
+    on_scene: &(dyn Fn(usize, usize) + Sync),
+    is_interrupted: &(dyn Fn() -> bool + Sync),
+) -> Result<Summary, BatchError> {
     let suite = Suite::read(suite_folder)?;
     let results = Results::open(results_folder, &suite, options)?;
     let total = suite.scenes.len();
@@ -48,6 +62,9 @@ pub fn evaluate(
         .scenes
         .par_iter()
         .map(|entry| {
+            if is_interrupted() {
+                return Err(BatchError::Interrupted);
+            }
             let record = match results.finished(entry)? {
                 Some(record) => record,
                 None => {

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::report::ModelDocument;
+
 /// One scene's row.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Record {
@@ -21,7 +23,7 @@ pub struct Record {
 #[serde(tag = "status", rename_all = "snake_case")]
 pub enum Outcome {
     /// A model was found.
-    Fitted(Score),
+    Fitted(Box<Score>),
     /// None was: the scene's files or its cloud do not allow it.
     Failed {
         /// Why.
@@ -68,4 +70,6 @@ pub struct Score {
     pub starts: usize,
     /// Wall-clock time of the fit.
     pub seconds: f64,
+    /// The recovered model.
+    pub model: ModelDocument,
 }

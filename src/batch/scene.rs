@@ -11,7 +11,7 @@ use crate::cloud;
 use crate::compare::{rotation_error, size_error, surface_distance, volume_overlap};
 use crate::model::Model;
 use crate::recover::{FitOptions, fit};
-use crate::report::model_from_json;
+use crate::report::{ModelDocument, model_from_json};
 
 /// Points that the overlap is estimated from: a standard error of about 1e-3.
 const VOLUME_SAMPLES: usize = 40_000;
@@ -24,8 +24,8 @@ const SEED: u64 = 0;
 
 /// Fits and scores a scene; what goes wrong becomes the outcome.
 pub(super) fn evaluate(folder: &Path, entry: &SceneEntry, options: &FitOptions) -> Record {
-    let outcome =
-        attempt(folder, options).map_or_else(|error| Outcome::Failed { error }, Outcome::Fitted);
+    let outcome = attempt(folder, options)
+        .map_or_else(|error| Outcome::Failed { error }, |score| Outcome::Fitted(Box::new(score)));
     Record {
         scene: entry.name.clone(),
         level: entry.level.clone(),
@@ -58,6 +58,7 @@ fn attempt(folder: &Path, options: &FitOptions) -> Result<Score, String> {
         evaluations: fit.evaluations,
         starts: fit.starts,
         seconds,
+        model: ModelDocument::from(&fit.model),
     })
 }
 

@@ -139,13 +139,18 @@ pub fn summary_table(summary: &Summary) -> String {
 mod tests {
     use super::super::record::Outcome;
     use super::*;
+    use crate::model::Model;
+    use crate::pose::Pose;
+    use crate::report::ModelDocument;
+    use crate::shape::Superellipsoid;
 
     fn record(level: &str, outcome: Outcome) -> Record {
         Record { scene: "s".into(), level: level.into(), family: "f".into(), outcome }
     }
 
     fn fitted(iou: f64, trusted: bool) -> Outcome {
-        Outcome::Fitted(Score {
+        let shape = Superellipsoid::new([1.0, 2.0, 3.0], [0.1, 1.9]).unwrap();
+        Outcome::Fitted(Box::new(Score {
             iou,
             iou_standard_error: 0.0,
             surface_distance: 1.0 - iou,
@@ -159,7 +164,8 @@ mod tests {
             evaluations: 1,
             starts: 1,
             seconds: 0.5,
-        })
+            model: ModelDocument::from(&Model { shape, pose: Pose::identity() }),
+        }))
     }
 
     #[test]

@@ -6,6 +6,7 @@ use pyo3::create_exception;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
+use crate::batch::BatchError as CoreBatchError;
 use crate::cloud::{Problem, ReadError};
 use crate::error::ModelError as CoreModelError;
 use crate::output::OutputError;
@@ -45,6 +46,13 @@ create_exception!(
     "JSON that does not hold a model."
 );
 
+create_exception!(
+    superquadric,
+    BatchError,
+    SuperquadricError,
+    "A suite that cannot be evaluated, or results of another one."
+);
+
 impl From<CoreModelError> for PyErr {
     fn from(error: CoreModelError) -> Self {
         ModelError::new_err(error.to_string())
@@ -66,6 +74,16 @@ impl From<CoreDocumentError> for PyErr {
 impl From<ResolutionError> for PyErr {
     fn from(error: ResolutionError) -> Self {
         ModelError::new_err(error.to_string())
+    }
+}
+
+impl From<CoreBatchError> for PyErr {
+    fn from(error: CoreBatchError) -> Self {
+        match error {
+            CoreBatchError::Io { ref source, .. } => os_error(source.kind(), error.to_string()),
+            CoreBatchError::Output(error) => error.into(),
+            _ => BatchError::new_err(error.to_string()),
+        }
     }
 }
 

@@ -57,7 +57,11 @@ pub(super) fn fit(
     Ok(PyFit { fit, seconds, skipped_rows: cloud.skipped_rows().to_vec() })
 }
 
-fn distance_named(name: &str) -> PyResult<Distance> {
+/// The distance of a name.
+///
+/// # Errors
+/// `ValueError` if there is none.
+pub(super) fn distance_named(name: &str) -> PyResult<Distance> {
     match name {
         "radial" => Ok(Distance::Radial),
         "geometric" => Ok(Distance::Geometric),

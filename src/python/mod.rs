@@ -1,6 +1,7 @@
 //! The Python package's extension module: the crate's own functions on NumPy arrays.
 
 mod arrays;
+mod batch;
 mod errors;
 mod fit;
 mod interrupt;
@@ -15,8 +16,10 @@ use pyo3::prelude::*;
 #[pymodule(name = "_core")]
 mod core {
     #[pymodule_export]
+    use super::batch::evaluate_suite;
+    #[pymodule_export]
     use super::errors::{
-        ArrayError, CloudError, DocumentError, FitError, ModelError, SuperquadricError,
+        ArrayError, BatchError, CloudError, DocumentError, FitError, ModelError, SuperquadricError,
     };
     #[pymodule_export]
     use super::fit::{PyFit, fit};

@@ -1,7 +1,13 @@
+import os
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 import superquadric
+
+ROOT = Path(__file__).parents[2]
+VARIABLE = "SUPERQUADRIC_BINARY"
 
 
 @pytest.fixture(scope="session")
@@ -21,3 +27,16 @@ def points(model):
 @pytest.fixture(scope="session")
 def fit(points):
     return superquadric.fit(points)
+
+
+@pytest.fixture(scope="session")
+def binary():
+    """The built command line: named by the environment, or where cargo puts it."""
+    if VARIABLE in os.environ:
+        return Path(os.environ[VARIABLE])
+    target = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
+    built = [target / profile / "superquadric" for profile in ("release", "debug")]
+    for path in built:
+        if path.exists():
+            return path
+    pytest.skip(f"no command line to compare with: build it, or set {VARIABLE}")

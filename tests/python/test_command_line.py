@@ -1,30 +1,12 @@
 """The command line and Python give the same numbers for the same cloud, options and seed."""
 
 import json
-import os
 import subprocess
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 import superquadric
-
-ROOT = Path(__file__).parents[2]
-VARIABLE = "SUPERQUADRIC_BINARY"
-
-
-@pytest.fixture(scope="module")
-def binary():
-    """The built command line: named by the environment, or where cargo puts it."""
-    if VARIABLE in os.environ:
-        return Path(os.environ[VARIABLE])
-    target = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
-    built = [target / profile / "superquadric" for profile in ("release", "debug")]
-    for path in built:
-        if path.exists():
-            return path
-    pytest.skip(f"no command line to compare with: build it, or set {VARIABLE}")
 
 
 def run(binary, *arguments, **options):

@@ -44,7 +44,7 @@ def test_public_names_are_documented_and_say_where_they_are(name):
 
 
 def test_exceptions_are_value_errors_with_one_base():
-    names = ["ArrayError", "CloudError", "DocumentError", "FitError", "ModelError"]
+    names = ["ArrayError", "BatchError", "CloudError", "DocumentError", "FitError", "ModelError"]
     for name in names:
         error = getattr(superquadric, name)
         assert issubclass(error, superquadric.SuperquadricError)

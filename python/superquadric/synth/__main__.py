@@ -7,9 +7,9 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from ..progress import Progress
 from .errors import SynthError
 from .generate import generate
-from .progress import Progress
 from .suite import Suite
 from .suite_file import read_suite
 
