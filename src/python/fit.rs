@@ -174,6 +174,12 @@ impl PyFit {
         self.fit.starts
     }
 
+    /// The distance whose squares were minimised: "radial" or "geometric".
+    #[getter]
+    fn distance(&self) -> &'static str {
+        self.fit.distance.name()
+    }
+
     /// The seed given.
     #[getter]
     fn seed(&self) -> u64 {

@@ -29,7 +29,7 @@ const PARALLEL_POINTS: usize = 16_384;
 
 /// Minima that are taken from one distance to the other: that which is best under the second may
 /// be far from it under the first.
-const SWITCHED_FINALISTS: usize = 6;
+const SWITCHED_FINALISTS: usize = 4;
 
 /// Minima that are taken on to more points.
 const FINALISTS: usize = 3;

@@ -65,14 +65,23 @@ fn neighbour_correlation(sample: &PointSet, descent: &Descent) -> f64 {
         .iter()
         .map(|x| geometric_row((*x).into(), &shape.size(), &shape.exponents()).distance)
         .collect();
-    let nearest = |i: usize| {
-        let distance = |j: &usize| (local[*j] - local[i]).norm_squared();
-        (0..local.len())
-            .filter(|j| *j != i)
-            .min_by(|a, b| distance(a).total_cmp(&distance(b)))
-            .unwrap_or(i)
-    };
     let squares: f64 = residuals.iter().map(|r| r * r).sum();
-    let products: f64 = (0..local.len()).map(|i| residuals[i] * residuals[nearest(i)]).sum();
+    let products: f64 =
+        residuals.iter().zip(nearest_neighbours(&local)).map(|(r, j)| r * residuals[j]).sum();
     if squares > 0.0 { products / squares } else { 0.0 }
+}
+
+/// Of each point the index of its nearest neighbour, by trying all: they are few.
+fn nearest_neighbours(points: &[Vector3<f64>]) -> Vec<usize> {
+    let nearest = |(i, point): (usize, &Vector3<f64>)| {
+        let mut best = (f64::INFINITY, i);
+        for (j, other) in points.iter().enumerate() {
+            let distance = (other - point).norm_squared();
+            if distance < best.0 && j != i {
+                best = (distance, j);
+            }
+        }
+        best.1
+    };
+    points.iter().enumerate().map(nearest).collect()
 }
