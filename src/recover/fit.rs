@@ -148,7 +148,7 @@ fn search(few: &PointSet, all: &PointSet, moments: &Moments, options: &FitOption
 fn residual(distance: Distance) -> Residual {
     match distance {
         Distance::Radial => Residual::Radial,
-        Distance::Geometric => Residual::Geometric { saturation: 0.0 },
+        Distance::Geometric => Residual::Geometric,
     }
 }
 

@@ -5,7 +5,7 @@
 
 use super::elementary::{exp, ln, mul_add};
 use super::gram::{BLOCK, Rows};
-use super::point::{Point, greater, saturated};
+use super::point::{Point, greater};
 use super::view::ModelView;
 use crate::shape::{LOG_FLOOR, TINY};
 
@@ -178,8 +178,7 @@ fn assemble<const GEOMETRIC: bool>(view: &ModelView, scratch: &Scratch, rows: &m
         rows.radial_squares[i] = radial_square;
         rows.geometric_squares[i] = radial_square / square_stretch;
         let row = if GEOMETRIC {
-            let row = point.geometric_row(view, scratch, i, &radial, square_stretch);
-            saturated(row, view.saturation)
+            point.geometric_row(view, scratch, i, &radial, square_stretch)
         } else {
             radial
         };

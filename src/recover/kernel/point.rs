@@ -15,18 +15,6 @@ pub(super) fn greater(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }
 
-/// The row of the saturated residual `g / sqrt(1 + s g^2)`, whose square is the loss of Geman and
-/// McClure: quadratic within `1 / sqrt(s)`, bounded by `1 / s`.
-#[inline(always)]
-pub(super) fn saturated(row: [f64; COLUMNS], saturation: f64) -> [f64; COLUMNS] {
-    let share = 1.0 / (1.0 + saturation * row[0] * row[0]);
-    let factor = share.sqrt();
-    let slope = factor * share;
-    let mut saturated = row.map(|entry| entry * slope);
-    saturated[0] = row[0] * factor;
-    saturated
-}
-
 /// What the rows of one point are made of.
 pub(super) struct Point {
     x: [f64; 3],

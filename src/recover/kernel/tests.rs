@@ -20,11 +20,7 @@ fn columns(points: &[[f64; 3]]) -> [Vec<f64>; 3] {
     std::array::from_fn(|k| points.iter().map(|p| p[k]).collect())
 }
 
-const RESIDUALS: [Residual; 3] = [
-    Residual::Radial,
-    Residual::Geometric { saturation: 0.0 },
-    Residual::Geometric { saturation: 25.0 },
-];
+const RESIDUALS: [Residual; 2] = [Residual::Radial, Residual::Geometric];
 
 fn view_of(shape: Superellipsoid, pose: Pose, residual: Residual) -> ModelView {
     ModelView::new(&Normalization::identity(), &Model { shape, pose }, residual)
@@ -35,11 +31,8 @@ fn scalar_row(view: &ModelView, point: [f64; 3]) -> [f64; COLUMNS] {
     let x = view.model_from_cloud(point);
     let row = if view.is_geometric { geometric_row } else { radial_row };
     let row = row(x, &view.size, &view.exponents);
-    let share = 1.0 / (1.0 + view.saturation * row.distance * row.distance);
-    let mut columns = [row.distance * share.sqrt(); COLUMNS];
-    for (column, slope) in columns[1..].iter_mut().zip(row.gradient) {
-        *column = slope * share.powf(1.5);
-    }
+    let mut columns = [row.distance; COLUMNS];
+    columns[1..].copy_from_slice(&row.gradient);
     columns
 }
 

@@ -8,11 +8,8 @@ use crate::recover::normalization::Normalization;
 pub(crate) enum Residual {
     /// The radial Euclidean distance (JLS Eq. 2.43).
     Radial,
-    /// The first-order geometric distance g as `g / sqrt(1 + s g^2)`: itself where `s = 0`.
-    Geometric {
-        /// The saturation s, one over the square of the distance that counts as stray.
-        saturation: f64,
-    },
+    /// The first-order geometric distance `(H - 1)/|grad H|`.
+    Geometric,
 }
 
 /// Everything that the rows of a pass share.
@@ -28,7 +25,6 @@ pub(crate) struct ModelView {
     pub(super) inverse_size: [f64; 3],
     pub(super) exponents: [f64; 2],
     pub(super) is_geometric: bool,
-    pub(super) saturation: f64,
 }
 
 impl ModelView {
@@ -43,11 +39,7 @@ impl ModelView {
             size,
             inverse_size: size.map(f64::recip),
             exponents: model.shape.exponents(),
-            is_geometric: matches!(residual, Residual::Geometric { .. }),
-            saturation: match residual {
-                Residual::Radial => 0.0,
-                Residual::Geometric { saturation } => saturation,
-            },
+            is_geometric: residual == Residual::Geometric,
         }
     }
 
