@@ -45,8 +45,8 @@ const FINISH: Effort = Effort { tolerance: 1e-8, patience: 16, step_bound: 1.0 }
 /// one, from the best minima of the radial one (JLS Eq. 2.43).
 ///
 /// # Errors
-/// If the points are fewer than the parameters, coincide, lie on one line, or have coordinates
-/// that cannot be squared. A fit that was found but deserves no trust is no error:
+/// If the points are fewer than the parameters, coincide, lie on one line, or spread over the
+/// end of the range of numbers. A fit that was found but deserves no trust is no error:
 /// see [`Fit::doubts`].
 pub fn fit(cloud: &PointCloud, options: &FitOptions) -> Result<Fit, FitError> {
     fit_unless(cloud, options, &|| false)
