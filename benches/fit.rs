@@ -10,13 +10,12 @@ use std::time::Duration;
 
 use common::{Scene, point_cloud};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use superquadric::recover::{FitOptions, fit};
+use superquadric::recover::{Distance, FitOptions, fit};
 
 /// Shapes that one measurement fits, since the search takes longer for some than for others.
 const SHAPES: u64 = 8;
 
 fn complete_clouds(criterion: &mut Criterion) {
-    let options = FitOptions { threads: NonZeroUsize::new(1), ..FitOptions::default() };
     let mut group = criterion.benchmark_group(format!("fit of {SHAPES} complete clouds"));
     group.sample_size(10).measurement_time(Duration::from_secs(5));
     for points in [1_000, 10_000, 100_000, 1_000_000] {
@@ -28,9 +27,14 @@ fn complete_clouds(criterion: &mut Criterion) {
             })
             .collect();
         group.throughput(Throughput::Elements(SHAPES * points as u64));
-        group.bench_with_input(BenchmarkId::from_parameter(points), &clouds, |bencher, clouds| {
-            bencher.iter(|| clouds.iter().map(|cloud| fit(cloud, &options)).collect::<Vec<_>>());
-        });
+        for distance in [Distance::Radial, Distance::Geometric] {
+            let options =
+                FitOptions { distance, threads: NonZeroUsize::new(1), ..FitOptions::default() };
+            let id = BenchmarkId::new(distance.name(), points);
+            group.bench_with_input(id, &clouds, |bencher, clouds| {
+                bencher.iter(|| clouds.iter().map(|c| fit(c, &options)).collect::<Vec<_>>());
+            });
+        }
     }
     group.finish();
 }
