@@ -4,7 +4,7 @@ mod common;
 
 use std::num::NonZeroUsize;
 
-use common::{Scene, iou, least, median, point_cloud};
+use common::{Scene, iou, least, median, one_sided_view, point_cloud};
 use nalgebra::Vector3;
 use superquadric::model::Model;
 use superquadric::pose::Pose;
@@ -59,20 +59,6 @@ fn random_shapes_at_every_noise_level_by_the_radial_distance() {
 #[test]
 fn random_shapes_at_every_noise_level_by_the_geometric_distance() {
     assert_random_shapes_are_recovered(Distance::Geometric);
-}
-
-/// What a distant camera sees of a random shape: the points that face it.
-fn one_sided_view(scene: &mut Scene, truth: &Model, points: usize, noise: f64) -> Vec<[f64; 3]> {
-    let camera_world = truth.pose.translation()
-        + 6.0 * truth.shape.mean_semi_axis() * scene.normal_vector().normalize();
-    let deviation = noise * truth.shape.mean_semi_axis();
-    let surface = scene.cloud(truth, 2 * points, 0.0).into_iter().map(Vector3::from);
-    let faces_camera = |x_world: &Vector3<f64>| {
-        let normal = truth.shape.gauge_gradient(&truth.pose.model_from_world(x_world));
-        (truth.pose.rotation() * normal).dot(&(camera_world - x_world)) > 0.0
-    };
-    let seen: Vec<Vector3<f64>> = surface.filter(faces_camera).collect();
-    seen.iter().map(|x_world| (x_world + deviation * scene.normal_vector()).into()).collect()
 }
 
 /// Seen from one side with 1 % of noise: the radial distance prefers larger shapes here.

@@ -227,7 +227,7 @@ mod tests {
         let rows = |model: &Model| {
             let view = ModelView::new(&normalization, model, Residual::Radial);
             let points = [&columns[0][..], &columns[1], &columns[2]];
-            Some(gram(&view, points, false))
+            Some(gram(&view, points, None, false))
         };
         let (chart, coordinates) = Chart::around(&start());
         let full = FullProblem { chart, coordinates, points };

@@ -4,7 +4,7 @@ use levenberg_marquardt::LevenbergMarquardt;
 
 use super::chart::EXPONENT_BOUNDS;
 use super::compressed::CompressedProblem;
-use super::kernel::{Gram, ModelView, Residual, gram};
+use super::kernel::{Gram, ModelView, Residual, geometric_squares, gram};
 use super::normalization::Normalization;
 use super::result::Termination;
 use crate::cloud::PointColumns;
@@ -15,6 +15,8 @@ use crate::model::Model;
 pub(crate) struct PointSet<'a> {
     pub points: PointColumns<'a>,
     pub normalization: &'a Normalization,
+    /// Roots of the points' weights; none where all weigh one.
+    pub root_weights: Option<&'a [f64]>,
     /// Whether passes over the points are shared among threads.
     pub parallel: bool,
     /// What is minimised.
@@ -38,7 +40,19 @@ impl PointSet<'_> {
             return None;
         }
         let view = ModelView::new(self.normalization, model, self.residual);
-        Some(gram(&view, self.points, self.parallel))
+        Some(gram(&view, self.points, self.root_weights, self.parallel))
+    }
+
+    /// The squared geometric distance of each point from a model (normalised coordinates).
+    pub fn geometric_squares(&self, model: &Model) -> Vec<f64> {
+        let view = ModelView::new(self.normalization, model, Residual::Geometric);
+        geometric_squares(&view, self.points, self.parallel)
+    }
+
+    /// The sum of the points' weights.
+    pub fn weight(&self) -> f64 {
+        let count = self.len() as f64;
+        self.root_weights.map_or(count, |roots| roots.iter().map(|root| root * root).sum())
     }
 }
 
@@ -60,9 +74,9 @@ pub(crate) struct Descent {
     pub model: Model,
     /// The Gram matrix of its rows.
     pub gram: Gram,
-    /// Mean squared radial distance, in normalised units.
+    /// Weighted mean squared radial distance, in normalised units.
     pub radial_mean_square: f64,
-    /// Mean squared first-order geometric distance, in normalised units: by this descents are
+    /// Weighted mean squared first-order geometric distance, in normalised units: by this descents are
     /// ranked, since far from its own optimum the radial distance favours models much larger
     /// than the cloud.
     pub geometric_mean_square: f64,
@@ -118,8 +132,8 @@ fn run(points: &PointSet, start: &Model, effort: &Effort) -> Option<Descent> {
     Some(Descent {
         model,
         gram,
-        radial_mean_square: gram.radial_squares / points.len() as f64,
-        geometric_mean_square: gram.geometric_squares / points.len() as f64,
+        radial_mean_square: gram.radial_squares / points.weight(),
+        geometric_mean_square: gram.geometric_squares / points.weight(),
         passes,
         termination: report.termination.into(),
     })

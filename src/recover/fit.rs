@@ -2,7 +2,7 @@
 
 use rayon::ThreadPoolBuilder;
 
-use super::descent::{Effort, Interrupt, PointSet};
+use super::descent::{Descent, Effort, Interrupt, PointSet};
 use super::doubt::{doubts, require_extent};
 use super::error::FitError;
 use super::kernel::Residual;
@@ -11,6 +11,7 @@ use super::options::{Distance, FitOptions};
 use super::radial::PARAMETERS;
 use super::result::Fit;
 use super::search::{BRIEF, Search};
+use super::strays::{MixtureFit, fit_among_strays};
 use super::subset::Subset;
 use crate::cloud::PointCloud;
 
@@ -87,6 +88,7 @@ fn fit_in_pool(
     let all = PointSet {
         points: cloud.columns(),
         normalization: &moments.normalization,
+        root_weights: None,
         parallel,
         residual: Residual::Radial,
         is_interrupted,
@@ -94,23 +96,71 @@ fn fit_in_pool(
     let few = Subset::stratified(all.points, COARSE_POINTS, options.seed);
     let few = PointSet { points: few.columns(), parallel: false, ..all };
     let search = search(&few, &all, &moments, options);
-    let (starts, passes) = (search.starts, search.passes);
-    let best = search.into_best().ok_or(FitError::Unbounded)?;
+    let (mut starts, mut passes) = (search.starts, search.passes);
+    let mut best = search.into_best().ok_or(FitError::Unbounded)?;
+
+    let mut surface = Surface::of_all(&all, &best);
+    if options.distance == Distance::Geometric
+        && let Some(fit) = fit_among_strays(&all, &best, &moments, options.seed)
+    {
+        starts += fit.starts;
+        passes += fit.passes;
+        surface = Surface::of_mixture(&fit);
+        best = fit.descent;
+    }
 
     let in_cloud = moments.normalization.cloud_from_normalized(&best.model);
+    let kept = Subset::of(all.points, &surface.indices());
+    let kept = PointSet { points: kept.columns(), ..all };
+    let few = Subset::stratified(kept.points, COARSE_POINTS, options.seed);
+    let few = PointSet { points: few.columns(), parallel: false, ..all };
     Ok(Fit {
         model: in_cloud.canonical(),
         distance: options.distance,
         termination: best.termination,
-        doubts: doubts(&best, &moments, &few, cloud.len()),
+        doubts: doubts(&best, &moments, &few, kept.len()),
         rms_radial: best.radial_mean_square.sqrt() * moments.normalization.radius,
         rms_geometric: best.geometric_mean_square.sqrt() * moments.normalization.radius,
+        noise: surface.deviation * moments.normalization.radius,
+        stray_share: surface.stray_share,
+        is_inlier: surface.is_inlier,
         points: cloud.len(),
         points_skipped: cloud.skipped_rows().len(),
         evaluations: passes,
         starts,
         seed: options.seed,
     })
+}
+
+/// Which points are of the surface, and how they scatter about it, in normalised units.
+struct Surface {
+    is_inlier: Vec<bool>,
+    deviation: f64,
+    stray_share: f64,
+}
+
+impl Surface {
+    /// All points are.
+    fn of_all(all: &PointSet, best: &Descent) -> Self {
+        Self {
+            is_inlier: vec![true; all.len()],
+            deviation: best.geometric_mean_square.sqrt(),
+            stray_share: 0.0,
+        }
+    }
+
+    /// Those that are so more likely than not.
+    fn of_mixture(fit: &MixtureFit) -> Self {
+        Self {
+            is_inlier: fit.weights.iter().map(|weight| *weight > 0.5).collect(),
+            deviation: fit.mixture.variance.sqrt(),
+            stray_share: fit.mixture.stray_share,
+        }
+    }
+
+    fn indices(&self) -> Vec<usize> {
+        (0..self.is_inlier.len()).filter(|&i| self.is_inlier[i]).collect()
+    }
 }
 
 /// Centroid and spread of a cloud that can be fitted at all.

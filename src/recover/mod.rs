@@ -1,22 +1,25 @@
 //! Recovery of a shape from points of its surface.
 //!
-//! Read [`fit`] straight down: normalise, search on few points, finish on all, canonical form,
-//! doubts.
+//! Read [`fit`] straight down: normalise, search on few points, finish on all, tell strays from
+//! the surface, canonical form, doubts.
 
 mod chart;
 mod compressed;
+mod crowding;
 mod descent;
 mod doubt;
 mod error;
 mod fit;
 mod geometric;
 mod kernel;
+mod mixture;
 mod normalization;
 mod options;
 mod radial;
 mod result;
 mod search;
 mod start;
+mod strays;
 mod subset;
 mod switches;
 mod uncertainty;

@@ -33,6 +33,17 @@ impl Normalization {
             pose: Pose::new(*model.pose.rotation(), translation),
         }
     }
+
+    /// A model of another normalisation of the same cloud, in this one's coordinates.
+    pub fn from_other(&self, other: &Self, model: &Model) -> Model {
+        let ratio = other.radius * self.inverse_radius;
+        let offset = Vector3::from(other.centroid) - Vector3::from(self.centroid);
+        let translation = offset * self.inverse_radius + model.pose.translation() * ratio;
+        Model {
+            shape: model.shape.scaled(ratio),
+            pose: Pose::new(*model.pose.rotation(), translation),
+        }
+    }
 }
 
 /// Centroid, spread and principal axes of some points.

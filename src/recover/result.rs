@@ -24,7 +24,13 @@ pub struct Fit {
     /// unit: nearly the distance from the surface, which the radial one exceeds where the
     /// surface is oblique to its ray.
     pub rms_geometric: f64,
-    /// Points fitted.
+    /// Standard deviation of the surface points' geometric distances, in the cloud's unit.
+    pub noise: f64,
+    /// Estimated share of strays, points that are not of the surface, among all.
+    pub stray_share: f64,
+    /// Of each point fitted, whether it is more likely of the surface than a stray.
+    pub is_inlier: Vec<bool>,
+    /// Points fitted, strays included.
     pub points: usize,
     /// Rows of the cloud that were skipped because they were not finite.
     pub points_skipped: usize,
@@ -40,6 +46,11 @@ impl Fit {
     /// Whether there is no reason to doubt the model.
     pub fn is_trusted(&self) -> bool {
         self.doubts.is_empty()
+    }
+
+    /// The number of points that are more likely of the surface than strays.
+    pub fn inliers(&self) -> usize {
+        self.is_inlier.iter().filter(|is_inlier| **is_inlier).count()
     }
 
     /// Radial residual RMS as a share of the mean semi-axis.

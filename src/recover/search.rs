@@ -78,7 +78,7 @@ impl Search {
     }
 
     /// The best few models, each minimum once, without those far behind; no candidate is left.
-    fn take_finalists(&mut self, count: usize) -> Vec<Model> {
+    pub fn take_finalists(&mut self, count: usize) -> Vec<Model> {
         let hopeless = HOPELESS * self.least_mean_square();
         let mut finalists: Vec<Model> = Vec::new();
         for candidate in std::mem::take(&mut self.candidates) {

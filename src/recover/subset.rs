@@ -22,6 +22,11 @@ impl Subset {
         let indices: Vec<usize> = (0..count)
             .map(|run| rng.random_range(run * total / count..(run + 1) * total / count))
             .collect();
+        Self::of(points, &indices)
+    }
+
+    /// The points at some indices.
+    pub fn of(points: PointColumns, indices: &[usize]) -> Self {
         Self(points.map(|column| indices.iter().map(|&i| column[i]).collect()))
     }
 

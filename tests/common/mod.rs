@@ -77,6 +77,25 @@ impl Scene {
     }
 }
 
+/// What a distant camera sees of a random shape: the points that face it.
+pub fn one_sided_view(
+    scene: &mut Scene,
+    truth: &Model,
+    points: usize,
+    noise: f64,
+) -> Vec<[f64; 3]> {
+    let camera_world = truth.pose.translation()
+        + 6.0 * truth.shape.mean_semi_axis() * scene.normal_vector().normalize();
+    let deviation = noise * truth.shape.mean_semi_axis();
+    let surface = scene.cloud(truth, 2 * points, 0.0).into_iter().map(Vector3::from);
+    let faces_camera = |x_world: &Vector3<f64>| {
+        let normal = truth.shape.gauge_gradient(&truth.pose.model_from_world(x_world));
+        (truth.pose.rotation() * normal).dot(&(camera_world - x_world)) > 0.0
+    };
+    let seen: Vec<Vector3<f64>> = surface.filter(faces_camera).collect();
+    seen.iter().map(|x_world| (x_world + deviation * scene.normal_vector()).into()).collect()
+}
+
 /// Intersection over union of two solids, to about 2e-3.
 pub fn iou(a: &Model, b: &Model) -> f64 {
     volume_overlap(a, b, 20_000, 7).iou

@@ -26,6 +26,17 @@ impl Rows {
         let zero = [0.0; BLOCK];
         Self { columns: [zero; COLUMNS], radial_squares: zero, geometric_squares: zero }
     }
+
+    /// Multiplies each of the first rows by its factor.
+    #[inline(always)]
+    pub fn multiply(&mut self, factors: &[f64]) {
+        for column in self.columns.iter_mut() {
+            column.iter_mut().zip(factors).for_each(|(entry, factor)| *entry *= factor);
+        }
+        for squares in [&mut self.radial_squares, &mut self.geometric_squares] {
+            squares.iter_mut().zip(factors).for_each(|(square, factor)| *square *= factor * factor);
+        }
+    }
 }
 
 /// Columns in one side of a tile: nine sums, which fit the registers with their operands.

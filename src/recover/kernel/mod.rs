@@ -22,15 +22,22 @@ use crate::cloud::PointColumns;
 /// threads share the work.
 const CHUNK: usize = 64 * gram::BLOCK;
 
-/// The Gram matrix `[r J]' [r J]` of the radial problem over all points.
+/// The Gram matrix `[r J]' [r J]` of the problem over all points, each row multiplied by its factor
+/// where there are factors.
 ///
 /// Memory does not depend on the number of points but for 1 kB a chunk; nor do the bytes of
 /// the result on `parallel`.
-pub(crate) fn gram(view: &ModelView, points: PointColumns, parallel: bool) -> Gram {
+pub(crate) fn gram(
+    view: &ModelView,
+    points: PointColumns,
+    factors: Option<&[f64]>,
+    parallel: bool,
+) -> Gram {
     let count = points[0].len();
     let chunk = |index: usize| {
         let range = index * CHUNK..count.min((index + 1) * CHUNK);
-        dispatch::gram(view, points.map(|column| &column[range.clone()]))
+        let factors = factors.map(|factors| &factors[range.clone()]);
+        dispatch::gram(view, points.map(|column| &column[range.clone()]), factors)
     };
     let chunks = count.div_ceil(CHUNK);
     if !parallel || chunks < 2 {
@@ -38,6 +45,25 @@ pub(crate) fn gram(view: &ModelView, points: PointColumns, parallel: bool) -> Gr
     }
     let partial: Vec<Gram> = (0..chunks).into_par_iter().map(chunk).collect();
     sum(partial)
+}
+
+/// The squared first-order geometric distance of each point, in normalised units.
+pub(crate) fn geometric_squares(
+    view: &ModelView,
+    points: PointColumns,
+    parallel: bool,
+) -> Vec<f64> {
+    let mut squares = vec![0.0; points[0].len()];
+    let fill = |(index, squares): (usize, &mut [f64])| {
+        let range = index * CHUNK..index * CHUNK + squares.len();
+        dispatch::geometric_squares(view, points.map(|column| &column[range.clone()]), squares);
+    };
+    if parallel {
+        squares.par_chunks_mut(CHUNK).enumerate().for_each(fill);
+    } else {
+        squares.chunks_mut(CHUNK).enumerate().for_each(fill);
+    }
+    squares
 }
 
 fn sum(grams: impl IntoIterator<Item = Gram>) -> Gram {

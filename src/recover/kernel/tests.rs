@@ -151,8 +151,10 @@ fn assert_sums_agree(view: &ModelView, points: &[[f64; 3]]) {
     let scales: Vec<_> = points.iter().map(|point| scales(view, *point)).collect();
     let squares: Vec<_> = points.iter().map(|point| squares(view, *point)).collect();
     let [radial, geometric] = [0, 1].map(|k| squares.iter().map(|s| s[k]).sum::<f64>());
-    for actual in [dispatch::gram(view, [&x, &y, &z]), dispatch::gram_portable(view, [&x, &y, &z])]
-    {
+    for actual in [
+        dispatch::gram(view, [&x, &y, &z], None),
+        dispatch::gram_portable(view, [&x, &y, &z], None),
+    ] {
         assert!((actual.radial_squares - radial).abs() <= TOLERANCE * radial);
         assert!((actual.geometric_squares - geometric).abs() <= TOLERANCE * geometric);
         for i in 0..COLUMNS {
@@ -173,7 +175,7 @@ fn threads_do_not_change_a_byte() {
     let shape = Superellipsoid::new([1.0, 0.8, 1.5], [0.4, 1.2]).unwrap();
     let pose = Pose::from_euler_zyz([0.3, 0.8, -1.0], Vector3::new(0.1, 0.0, -0.2));
     let view = view_of(shape, pose, Residual::Radial);
-    let one = gram(&view, [&x, &y, &z], false);
-    let many = gram(&view, [&x, &y, &z], true);
+    let one = gram(&view, [&x, &y, &z], None, false);
+    let many = gram(&view, [&x, &y, &z], None, true);
     assert_eq!(one, many);
 }
