@@ -35,7 +35,7 @@ impl Normalization {
     }
 
     /// A model of another normalisation of the same cloud, in this one's coordinates.
-    pub fn from_other(&self, other: &Self, model: &Model) -> Model {
+    pub fn renormalized(&self, other: &Self, model: &Model) -> Model {
         let ratio = other.radius * self.inverse_radius;
         let offset = Vector3::from(other.centroid) - Vector3::from(self.centroid);
         let translation = offset * self.inverse_radius + model.pose.translation() * ratio;

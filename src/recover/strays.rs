@@ -14,7 +14,7 @@ use crate::model::Model;
 use super::crowding::by_crowding;
 
 /// Points on which crowding is judged and mixtures are compared.
-const SAMPLE: usize = 1_500;
+const SAMPLE: usize = 3_000;
 
 /// Points of a sample on which the mixture is screened.
 const SCREENED: usize = 500;
@@ -23,7 +23,7 @@ const SCREENED: usize = 500;
 const COARSE_POINTS: usize = 256;
 
 /// Shares of the sample, the most crowded, that searches look at: one of them has few strays.
-const CROWDED_SHARES: [f64; 4] = [0.7, 0.5, 0.33, 0.2];
+const CROWDED_SHARES: [f64; 5] = [0.7, 0.5, 0.33, 0.2, 0.12];
 
 /// Minima that each search hands on.
 const FINALISTS: usize = 3;
@@ -145,7 +145,7 @@ fn search_core(core: &Subset, sample: &PointSet, seed: u64) -> (Vec<Model>, (usi
     let mut search = Search::coarse(&few, &moments);
     let cost = (search.passes, search.starts);
     let models = search.take_finalists(FINALISTS);
-    let here = |model: &Model| sample.normalization.from_other(&moments.normalization, model);
+    let here = |model: &Model| sample.normalization.renormalized(&moments.normalization, model);
     (models.iter().map(here).collect(), cost)
 }
 
