@@ -4,6 +4,7 @@ use levenberg_marquardt::LevenbergMarquardt;
 
 use super::chart::EXPONENT_BOUNDS;
 use super::compressed::CompressedProblem;
+use super::evidence::Evidence;
 use super::kernel::{Gram, ModelView, Residual, geometric_squares, gram};
 use super::normalization::Normalization;
 use super::result::Termination;
@@ -17,6 +18,8 @@ pub(crate) struct PointSet<'a> {
     pub normalization: &'a Normalization,
     /// Roots of the points' weights; none where all weigh one.
     pub root_weights: Option<&'a [f64]>,
+    /// What is known besides the points.
+    pub evidence: &'a Evidence,
     /// Whether passes over the points are shared among threads.
     pub parallel: bool,
     /// What is minimised.
@@ -34,13 +37,16 @@ impl PointSet<'_> {
         self.points[0].len()
     }
 
-    /// The Gram matrix of the rows of a model (normalised coordinates); none if interrupted.
+    /// The Gram matrix of the rows of a model (normalised coordinates), those of evidence included;
+    /// none if interrupted.
     pub fn gram(&self, model: &Model) -> Option<Gram> {
         if (self.is_interrupted)() {
             return None;
         }
         let view = ModelView::new(self.normalization, model, self.residual);
-        Some(gram(&view, self.points, self.root_weights, self.parallel))
+        let mut gram = gram(&view, self.points, self.root_weights, self.parallel);
+        self.evidence.add_to(&mut gram, model, self.weight());
+        Some(gram)
     }
 
     /// The squared geometric distance of each point from a model (normalised coordinates).
@@ -76,10 +82,11 @@ pub(crate) struct Descent {
     pub gram: Gram,
     /// Weighted mean squared radial distance, in normalised units.
     pub radial_mean_square: f64,
-    /// Weighted mean squared first-order geometric distance, in normalised units: by this descents are
-    /// ranked, since far from its own optimum the radial distance favours models much larger
-    /// than the cloud.
+    /// Weighted mean squared first-order geometric distance, in normalised units.
     pub geometric_mean_square: f64,
+    /// The same with what evidence adds: by this descents are ranked, since far from its own
+    /// optimum the radial distance favours models much larger than the cloud.
+    pub loss: f64,
     /// Passes over the points.
     pub passes: usize,
     /// Why the run ended.
@@ -134,6 +141,7 @@ fn run(points: &PointSet, start: &Model, effort: &Effort) -> Option<Descent> {
         gram,
         radial_mean_square: gram.radial_squares / points.weight(),
         geometric_mean_square: gram.geometric_squares / points.weight(),
+        loss: (gram.geometric_squares + gram.evidence_squares) / points.weight(),
         passes,
         termination: report.termination.into(),
     })

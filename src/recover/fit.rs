@@ -2,17 +2,20 @@
 
 use rayon::ThreadPoolBuilder;
 
+use super::alternation::MixtureFit;
 use super::descent::{Descent, Effort, Interrupt, PointSet};
 use super::doubt::{doubts, require_extent};
 use super::error::FitError;
+use super::evidence::Evidence;
 use super::kernel::Residual;
 use super::normalization::Moments;
 use super::options::{Distance, FitOptions};
 use super::radial::PARAMETERS;
 use super::result::Fit;
 use super::search::{BRIEF, Search};
-use super::strays::{MixtureFit, fit_among_strays};
+use super::strays::{Recovery, fit_among_clutter, set_outliers_apart};
 use super::subset::Subset;
+use super::survey::Survey;
 use crate::cloud::PointCloud;
 
 /// Points that the coarse descents look at.
@@ -89,25 +92,20 @@ fn fit_in_pool(
         points: cloud.columns(),
         normalization: &moments.normalization,
         root_weights: None,
+        evidence: &Evidence::NONE,
         parallel,
-        residual: Residual::Radial,
+        residual: residual(options.distance),
         is_interrupted,
     };
-    let few = Subset::stratified(all.points, COARSE_POINTS, options.seed);
-    let few = PointSet { points: few.columns(), parallel: false, ..all };
-    let search = search(&few, &all, &moments, options);
-    let (mut starts, mut passes) = (search.starts, search.passes);
-    let mut best = search.into_best().ok_or(FitError::Unbounded)?;
-
-    let mut surface = Surface::of_all(&all, &best);
-    if options.distance == Distance::Geometric
-        && let Some(fit) = fit_among_strays(&all, &best, &moments, options.seed)
-    {
-        starts += fit.starts;
-        passes += fit.passes;
-        surface = Surface::of_mixture(&fit);
-        best = fit.descent;
-    }
+    let found = match options.distance {
+        Distance::Radial => Found::plain(&all, &moments, options.seed),
+        Distance::Geometric => {
+            let survey = Survey::of(all.points, &moments, options.seed);
+            let all = PointSet { evidence: &survey.evidence(), ..all };
+            Found::among_strays(&all, &moments, &survey, options.seed)
+        }
+    };
+    let Found { best, surface, passes, starts } = found.ok_or(FitError::Unbounded)?;
 
     let in_cloud = moments.normalization.cloud_from_normalized(&best.model);
     let kept = Subset::of(all.points, &surface.indices());
@@ -130,6 +128,46 @@ fn fit_in_pool(
         starts,
         seed: options.seed,
     })
+}
+
+/// Where the descents have led.
+struct Found {
+    best: Descent,
+    surface: Surface,
+    passes: usize,
+    starts: usize,
+}
+
+impl Found {
+    /// The model that fits all points.
+    fn plain(all: &PointSet, moments: &Moments, seed: u64) -> Option<Self> {
+        let search = search(all, moments, seed);
+        let (passes, starts) = (search.passes, search.starts);
+        let best = search.into_best()?;
+        let surface = Surface::of_all(all, &best);
+        Some(Self { best, surface, passes, starts })
+    }
+
+    /// The model that fits the points of the surface, which others may lie among.
+    fn among_strays(all: &PointSet, moments: &Moments, survey: &Survey, seed: u64) -> Option<Self> {
+        if let Some(clutter) = &survey.clutter
+            && let Some(recovery) = fit_among_clutter(all, survey, clutter, seed)
+        {
+            return Some(recovery.into());
+        }
+        let plain = Self::plain(all, moments, seed)?;
+        let Some(recovery) = set_outliers_apart(all, survey, &plain.best) else {
+            return Some(plain);
+        };
+        let Self { best, surface, passes, .. } = recovery.into();
+        Some(Self { best, surface, passes: passes + plain.passes, starts: plain.starts })
+    }
+}
+
+impl From<Recovery> for Found {
+    fn from(Recovery { fit, passes, starts }: Recovery) -> Self {
+        Self { surface: Surface::of_mixture(&fit), best: fit.descent, passes, starts }
+    }
 }
 
 /// Which points are of the surface, and how they scatter about it, in normalised units.
@@ -174,23 +212,23 @@ fn normalize(cloud: &PointCloud) -> Result<Moments, FitError> {
 }
 
 /// The search: on a few hundred points for the minima, from coarse to fine for the best of them.
-fn search(few: &PointSet, all: &PointSet, moments: &Moments, options: &FitOptions) -> Search {
-    let mut search = Search::coarse(few, moments);
-
-    let residual = residual(options.distance);
-    if residual != few.residual {
-        search.refine(&PointSet { residual, ..*few }, &BRIEF, SWITCHED_FINALISTS);
+fn search(all: &PointSet, moments: &Moments, seed: u64) -> Search {
+    let few = Subset::stratified(all.points, COARSE_POINTS, seed);
+    let few = PointSet { points: few.columns(), parallel: false, ..*all };
+    let mut search = Search::coarse(&PointSet { residual: Residual::Radial, ..few }, moments);
+    if all.residual != Residual::Radial {
+        search.refine(&few, &BRIEF, SWITCHED_FINALISTS);
     }
     let mut finalists = FINALISTS;
     for count in STAGES {
         if all.len() >= WORTH_A_STAGE * count {
-            let some = Subset::stratified(all.points, count, options.seed);
-            let some = PointSet { points: some.columns(), parallel: false, residual, ..*all };
+            let some = Subset::stratified(all.points, count, seed);
+            let some = PointSet { points: some.columns(), parallel: false, ..*all };
             search.refine(&some, &MEDIUM, finalists);
             finalists = 1;
         }
     }
-    search.refine(&PointSet { residual, ..*all }, &FINISH, finalists);
+    search.refine(all, &FINISH, finalists);
     search
 }
 

@@ -3,16 +3,19 @@
 //! Read [`fit`] straight down: normalise, search on few points, finish on all, tell strays from
 //! the surface, canonical form, doubts.
 
+mod alternation;
 mod chart;
+mod clutter;
 mod compressed;
-mod crowding;
 mod descent;
 mod doubt;
 mod error;
+mod evidence;
 mod fit;
 mod geometric;
 mod kernel;
 mod mixture;
+mod neighbours;
 mod normalization;
 mod options;
 mod radial;
@@ -21,6 +24,7 @@ mod search;
 mod start;
 mod strays;
 mod subset;
+mod survey;
 mod switches;
 mod uncertainty;
 

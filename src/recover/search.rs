@@ -7,17 +7,16 @@ use super::start::{ambiguous_starts, principal_starts};
 use super::switches::switches;
 use crate::model::Model;
 
-/// A switch must lower the mean square by this share to be taken.
+/// A switch must lower the loss by this share to be taken.
 const WORTHWHILE: f64 = 0.99;
 
 /// Rounds of switches: as many as axis and dual can both be wrong.
 const SWITCH_ROUNDS: usize = 4;
 
-/// A model whose mean square is this many times the best one's is not taken on.
+/// A model whose loss is this many times the best one's is not taken on.
 const HOPELESS: f64 = 4.0;
 
-/// A winner whose mean square is this share of the next minimum's ends the search: a fifth of
-/// its RMS.
+/// A winner whose loss is this share of the next minimum's ends the search: a fifth of its RMS.
 const CLEAR: f64 = 0.04;
 
 /// Relative difference of semi-axes, and difference of exponents, within one minimum.
@@ -44,9 +43,9 @@ impl Search {
         search.try_all(points, &principal_starts(moments));
         search.try_switches(points);
         if !search.has_clear_winner() {
-            let before = search.least_mean_square();
+            let before = search.least_loss();
             search.try_all(points, &ambiguous_starts(moments));
-            if search.least_mean_square() < WORTHWHILE * before {
+            if search.least_loss() < WORTHWHILE * before {
                 search.try_switches(points);
             }
         }
@@ -69,9 +68,9 @@ impl Search {
     fn try_switches(&mut self, points: &PointSet) {
         for _ in 0..SWITCH_ROUNDS {
             let Some(best) = self.candidates.first() else { return };
-            let (model, before) = (best.model, best.geometric_mean_square);
+            let (model, before) = (best.model, best.loss);
             self.try_all(points, &switches(&model));
-            if self.least_mean_square() >= WORTHWHILE * before {
+            if self.least_loss() >= WORTHWHILE * before {
                 return;
             }
         }
@@ -79,11 +78,11 @@ impl Search {
 
     /// The best few models, each minimum once, without those far behind; no candidate is left.
     pub fn take_finalists(&mut self, count: usize) -> Vec<Model> {
-        let hopeless = HOPELESS * self.least_mean_square();
+        let hopeless = HOPELESS * self.least_loss();
         let mut finalists: Vec<Model> = Vec::new();
         for candidate in std::mem::take(&mut self.candidates) {
             let is_new = finalists.iter().all(|model| !is_same_minimum(model, &candidate.model));
-            if is_new && finalists.len() < count && candidate.geometric_mean_square <= hopeless {
+            if is_new && finalists.len() < count && candidate.loss <= hopeless {
                 finalists.push(candidate.model);
             }
         }
@@ -96,11 +95,11 @@ impl Search {
         self.candidates
             .iter()
             .find(|other| !is_same_minimum(&other.model, &best.model))
-            .is_some_and(|other| best.geometric_mean_square < CLEAR * other.geometric_mean_square)
+            .is_some_and(|other| best.loss < CLEAR * other.loss)
     }
 
-    fn least_mean_square(&self) -> f64 {
-        self.candidates.first().map_or(f64::INFINITY, |best| best.geometric_mean_square)
+    fn least_loss(&self) -> f64 {
+        self.candidates.first().map_or(f64::INFINITY, |best| best.loss)
     }
 
     fn try_all(&mut self, points: &PointSet, starts: &[Model]) {
@@ -110,13 +109,11 @@ impl Search {
         }
     }
 
-    /// Descends from a model and files the result by its geometric distance.
+    /// Descends from a model and files the result by its loss.
     fn descend(&mut self, points: &PointSet, start: &Model, effort: &Effort) {
         if let Some(descent) = descend(points, start, effort) {
             self.passes += descent.passes;
-            let place = self.candidates.partition_point(|other| {
-                other.geometric_mean_square <= descent.geometric_mean_square
-            });
+            let place = self.candidates.partition_point(|other| other.loss <= descent.loss);
             self.candidates.insert(place, descent);
         }
     }

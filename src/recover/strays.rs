@@ -1,259 +1,178 @@
-//! Recovery among strays: searches on the crowded parts of the cloud, then the mixture of
-//! surface and strays, estimated by expectation and maximisation from the best of them.
+//! Recovery among strays: a search on the points that neighbours hold for the surface's, then the
+//! mixture of surface and strays from the best of what it finds.
 
-use super::descent::{Descent, Effort, PointSet, descend};
+use super::alternation::{MixtureFit, Schedule, alternate, finish, variance_of_nearest};
+use super::clutter::Clutter;
+use super::descent::{Descent, Effort, PointSet};
 use super::kernel::Residual;
-use super::mixture::{Expectation, Mixture};
+use super::mixture::Mixture;
 use super::normalization::Moments;
 use super::radial::PARAMETERS;
-use super::search::Search;
+use super::search::{BRIEF, Search};
 use super::subset::Subset;
-use crate::cloud::PointColumns;
+use super::survey::Survey;
 use crate::model::Model;
 
-use super::crowding::by_crowding;
-
-/// Points on which crowding is judged and mixtures are compared.
-const SAMPLE: usize = 3_000;
-
-/// Points of a sample on which the mixture is screened.
-const SCREENED: usize = 500;
-
-/// Points of the crowded part that the search looks at.
+/// Points on which searches start, on which their minima are told apart, and on which mixtures are
+/// screened.
 const COARSE_POINTS: usize = 256;
+const MEDIUM_POINTS: usize = 800;
+const SCREENED_POINTS: usize = 500;
 
-/// Shares of the sample, the most crowded, that searches look at: one of them has few strays.
-const CROWDED_SHARES: [f64; 5] = [0.7, 0.5, 0.33, 0.2, 0.12];
-
-/// Minima that each search hands on.
+/// Minima taken from the coarse search to the geometric distance, from there to more points, and
+/// from there to the mixture.
+const COARSE_FINALISTS: usize = 6;
+const MEDIUM_FINALISTS: usize = 4;
 const FINALISTS: usize = 3;
 
+/// To tell minima apart.
+const MEDIUM: Effort = Effort { tolerance: 1e-4, patience: 2, step_bound: 1.0 };
+
 /// Share of strays held while screening: left free, it runs away from a rough start.
-const SCREENING_SHARE: f64 = 0.5;
+const SCREENING_SHARE: f64 = 0.25;
 
-/// Rounds of expectation and maximisation while screening, and on the sample.
-const SCREENING_ROUNDS: usize = 8;
-const SAMPLE_ROUNDS: usize = 30;
+/// Rounds of a screening, on the sample, and on all points, where they start next to their end.
+const SCREENING: Schedule = Schedule { rounds: 8, is_share_free: false };
+const ON_SAMPLE: Schedule = Schedule { rounds: 30, is_share_free: true };
+const ON_ALL: Schedule = Schedule { rounds: 8, is_share_free: true };
 
-/// Rounds on all points, which start next to their end.
-const FINAL_ROUNDS: usize = 8;
+/// Searches on what the best mixture holds for the surface, each if the one before was worth it.
+const SEARCHES_AGAIN: usize = 2;
 
-/// Relative change of the noise's deviation, and of the share of strays, at the end.
-const SETTLED: f64 = 1e-4;
+/// Gain in mean log-likelihood that is worth another search.
+const WORTHWHILE_GAIN: f64 = 1e-3;
 
-/// Geometric RMS, over the mean semi-axis, below which a plain fit is looked at no further if
-/// its strays are next to none.
-const CLEAN_RMS: f64 = 0.03;
+/// Gain in mean log-likelihood from which on outliers are set apart where neighbours show none,
+/// and the share of them to begin with.
+const OUTLIERS_GAIN: f64 = 0.02;
+const FEW: f64 = 0.1;
 
-/// Share of strays that counts as none.
-const NO_STRAYS: f64 = 0.005;
-
-/// A maximisation between two expectations.
-const STEP: Effort = Effort { tolerance: 1e-4, patience: 2, step_bound: 1.0 };
-
-/// The last maximisation.
-const FINISH: Effort = Effort { tolerance: 1e-8, patience: 16, step_bound: 1.0 };
-
-/// A fit of the mixture.
-#[derive(Debug, Clone)]
-pub(crate) struct MixtureFit {
-    /// The model and its rows, weighted.
-    pub descent: Descent,
-    /// The mixture around it.
-    pub mixture: Mixture,
-    /// Probability of each point to be one of the surface.
-    pub weights: Vec<f64>,
-    log_likelihood: f64,
+/// Where a search has led, and what it cost.
+#[derive(Debug)]
+pub(crate) struct Recovery {
+    pub fit: MixtureFit,
     /// Passes over point sets of any size, and models started from.
     pub passes: usize,
     pub starts: usize,
 }
 
-/// The mixture that makes the points most likely, started from the plain fit and from the crowded
-/// parts of the cloud; none where the plain fit leaves no stray.
-pub(crate) fn fit_among_strays(
+/// Recovery from clutter. None where too few points are of a surface.
+pub(crate) fn fit_among_clutter(
     all: &PointSet,
-    plain: &Descent,
-    moments: &Moments,
+    survey: &Survey,
+    clutter: &Clutter,
     seed: u64,
-) -> Option<MixtureFit> {
+) -> Option<Recovery> {
     let all = PointSet { residual: Residual::Geometric, ..*all };
-    let sample = Subset::stratified(all.points, SAMPLE, seed);
-    let sample = PointSet { points: sample.columns(), parallel: false, ..all };
-    let volume = box_volume(&sample, moments);
+    let sample = PointSet { points: survey.points.columns(), parallel: false, ..all };
+    let odds = Some(&clutter.odds[..]);
 
-    let from_plain = settle(&sample, &plain.model, start_mixture(&sample, &plain.model, volume))?;
-    let rms = plain.geometric_mean_square.sqrt() / plain.model.shape.mean_semi_axis();
-    if rms < CLEAN_RMS && from_plain.mixture.stray_share < NO_STRAYS {
-        return None;
+    let core = Subset::of(sample.points, &clutter.surface());
+    let mut search = CoreSearch { sample: &sample, seed, passes: 0, starts: 0 };
+    let start = Mixture { variance: 1.0, stray_share: clutter.share, room: survey.room };
+    let mut best = None;
+    for fit in search.screen(&core, start) {
+        let mixture = Mixture { stray_share: clutter.share, ..fit.mixture };
+        let settled = alternate(&sample, odds, &fit.descent.model, mixture, ON_SAMPLE);
+        best = more_likely(best, settled);
     }
-    let (mut best, mut passes, mut starts) = (from_plain, 0, 0);
-    for candidate in screen(&sample, seed, volume, &mut passes, &mut starts) {
-        let settled = settle(&sample, &candidate.0, candidate.1);
-        best = settled.into_iter().fold(best, more_likely);
-    }
-    let sampled_passes = passes + best.passes;
-    let finished = finish(&all, best)?;
-    let passes = finished.passes + sampled_passes;
-    let is_clean = finished.mixture.stray_share < NO_STRAYS && starts == 0;
-    (!is_clean).then_some(MixtureFit { passes, starts, ..finished })
-}
-
-/// The best few starts of the crowded parts, screened on few points by the likelihood.
-fn screen(
-    sample: &PointSet,
-    seed: u64,
-    volume: f64,
-    passes: &mut usize,
-    starts: &mut usize,
-) -> Vec<(Model, Mixture)> {
-    let few = Subset::stratified(sample.points, SCREENED, seed);
-    let few = PointSet { points: few.columns(), ..*sample };
-    let order = by_crowding(sample.points);
-    let mut screened: Vec<MixtureFit> = Vec::new();
-    for share in CROWDED_SHARES {
-        let kept = ((share * sample.len() as f64) as usize).max(PARAMETERS + 1).min(order.len());
-        let mut kept = order[..kept].to_vec();
-        kept.sort_unstable();
-        let core = Subset::of(sample.points, &kept);
-        let (models, search) = search_core(&core, sample, seed);
-        *passes += search.0;
-        *starts += search.1;
-        for model in models {
-            let start = start_mixture(&few, &model, volume);
-            if let Some(fit) = screen_one(&few, &model, start) {
-                *passes += fit.passes;
-                screened.push(fit);
-            }
+    for _ in 0..SEARCHES_AGAIN {
+        let before: &MixtureFit = best.as_ref()?;
+        let (mixture, log_likelihood) = (before.mixture, before.log_likelihood);
+        let surface = Subset::of(sample.points, &before.surface());
+        for model in search.minima(&surface) {
+            best = more_likely(best, alternate(&sample, odds, &model, mixture, ON_SAMPLE));
         }
-    }
-    screened.sort_by(|a, b| b.log_likelihood.total_cmp(&a.log_likelihood));
-    screened.truncate(FINALISTS);
-    screened.into_iter().map(|fit| (fit.descent.model, fit.mixture)).collect()
-}
-
-/// The minima of a plain search on one part of the sample, with its passes and starts.
-fn search_core(core: &Subset, sample: &PointSet, seed: u64) -> (Vec<Model>, (usize, usize)) {
-    let moments = Moments::of(core.columns());
-    let few = Subset::stratified(core.columns(), COARSE_POINTS, seed);
-    let few = PointSet {
-        points: few.columns(),
-        normalization: &moments.normalization,
-        residual: Residual::Radial,
-        ..*sample
-    };
-    let mut search = Search::coarse(&few, &moments);
-    let cost = (search.passes, search.starts);
-    let models = search.take_finalists(FINALISTS);
-    let here = |model: &Model| sample.normalization.renormalized(&moments.normalization, model);
-    (models.iter().map(here).collect(), cost)
-}
-
-/// A mixture to start with around a model: the noise from the nearest third of the points.
-fn start_mixture(points: &PointSet, model: &Model, volume: f64) -> Mixture {
-    /// The 30 % quantile of the squared normal deviate.
-    const QUANTILE: f64 = 0.148;
-    let mut squares = points.geometric_squares(model);
-    let place = (3 * squares.len()) / 10;
-    let (_, square, _) = squares.select_nth_unstable_by(place, f64::total_cmp);
-    Mixture { variance: *square / QUANTILE, stray_share: SCREENING_SHARE, volume }
-}
-
-fn screen_one(points: &PointSet, model: &Model, start: Mixture) -> Option<MixtureFit> {
-    let held = |next: Mixture| Mixture { stray_share: SCREENING_SHARE, ..next };
-    alternate(points, model, start, SCREENING_ROUNDS, held)
-}
-
-fn settle(points: &PointSet, model: &Model, start: Mixture) -> Option<MixtureFit> {
-    alternate(points, model, start, SAMPLE_ROUNDS, |next| next)
-}
-
-/// Expectation and maximisation in turn, until the mixture is settled.
-fn alternate(
-    points: &PointSet,
-    start: &Model,
-    mut mixture: Mixture,
-    rounds: usize,
-    constrained: impl Fn(Mixture) -> Mixture,
-) -> Option<MixtureFit> {
-    let (mut model, mut passes) = (*start, 0);
-    let mut last = None;
-    for _ in 0..rounds {
-        let Expectation { weights, next, .. } =
-            mixture.expect(&model, &points.geometric_squares(&model));
-        let next = constrained(next);
-        let descent = descend_weighted(points, &weights, &model, &STEP)?;
-        passes += descent.passes + 1;
-        model = descent.model;
-        last = Some(descent);
-        let settled = is_settled(&mixture, &next);
-        mixture = next;
-        if settled {
+        if best.as_ref()?.log_likelihood < log_likelihood + WORTHWHILE_GAIN {
             break;
         }
     }
-    let Expectation { weights, log_likelihood, next } =
-        mixture.expect(&model, &points.geometric_squares(&model));
-    let mixture = constrained(next);
-    Some(MixtureFit { descent: last?, mixture, weights, log_likelihood, passes, starts: 0 })
+    let best = best?;
+    let on_all = alternate(&all, None, &best.descent.model, best.mixture, ON_ALL)?;
+    let fit = finish(&all, on_all)?;
+    Some(Recovery { passes: search.passes + best.passes + fit.passes, starts: search.starts, fit })
 }
 
-/// The mixture of all points, next to that of the sample, and the model to the end under it.
-fn finish(all: &PointSet, best: MixtureFit) -> Option<MixtureFit> {
-    let fit = if all.len() > best.weights.len() {
-        alternate(all, &best.descent.model, best.mixture, FINAL_ROUNDS, |next| next)?
-    } else {
-        best
-    };
-    let descent = descend_weighted(all, &fit.weights, &fit.descent.model, &FINISH)?;
-    let passes = fit.passes + descent.passes;
-    Some(MixtureFit { descent, passes, ..fit })
-}
-
-fn descend_weighted(
-    points: &PointSet,
-    weights: &[f64],
-    model: &Model,
-    effort: &Effort,
-) -> Option<Descent> {
-    let roots: Vec<f64> = weights.iter().map(|weight| weight.sqrt()).collect();
-    descend(&PointSet { root_weights: Some(&roots), ..*points }, model, effort)
-}
-
-fn is_settled(before: &Mixture, after: &Mixture) -> bool {
-    (after.variance - before.variance).abs() <= 2.0 * SETTLED * before.variance
-        && (after.stray_share - before.stray_share).abs() <= SETTLED
-}
-
-fn more_likely(best: MixtureFit, next: MixtureFit) -> MixtureFit {
-    if next.log_likelihood > best.log_likelihood { next } else { best }
-}
-
-/// The volume of the points' box along the cloud's principal axes, in normalised units.
-fn box_volume(points: &PointSet, moments: &Moments) -> f64 {
-    /// Least side: a flat cloud's strays, too, have room.
-    const LEAST_SIDE: f64 = 1e-3;
-    let PointColumnsRange { low, high } = range_along(points.points, moments);
-    (0..3).map(|k| (high[k] - low[k]).max(LEAST_SIDE)).product()
-}
-
-struct PointColumnsRange {
-    low: [f64; 3],
-    high: [f64; 3],
-}
-
-/// Least and greatest coordinate along each principal axis, in normalised units.
-fn range_along([xs, ys, zs]: PointColumns, moments: &Moments) -> PointColumnsRange {
-    let normalization = &moments.normalization;
-    let mut range = PointColumnsRange { low: [f64::INFINITY; 3], high: [f64::NEG_INFINITY; 3] };
-    for ((x, y), z) in xs.iter().zip(ys).zip(zs) {
-        let offset =
-            nalgebra::Vector3::new(*x, *y, *z) - nalgebra::Vector3::from(normalization.centroid);
-        let along = moments.axes.inverse_transform_vector(&(offset * normalization.inverse_radius));
-        for k in 0..3 {
-            range.low[k] = range.low[k].min(along[k]);
-            range.high[k] = range.high[k].max(along[k]);
-        }
+/// Outliers that neighbours do not show, set apart from a fit to all points. None where that
+/// explains the points hardly better.
+pub(crate) fn set_outliers_apart(
+    all: &PointSet,
+    survey: &Survey,
+    plain: &Descent,
+) -> Option<Recovery> {
+    let sample = PointSet { points: survey.points.columns(), parallel: false, ..*all };
+    let squares = sample.geometric_squares(&plain.model);
+    let variance = squares.iter().sum::<f64>() / squares.len() as f64;
+    let without = Mixture { variance, stray_share: 0.0, room: survey.room };
+    let variance = variance_of_nearest(&sample, &plain.model);
+    let start = Mixture { variance, stray_share: FEW, room: survey.room };
+    let settled = alternate(&sample, None, &plain.model, start, ON_SAMPLE)?;
+    let gain = settled.log_likelihood - without.expect(&squares, None).log_likelihood;
+    if gain < OUTLIERS_GAIN {
+        return None;
     }
-    range
+    let on_all = alternate(all, None, &settled.descent.model, settled.mixture, ON_ALL)?;
+    let fit = finish(all, on_all)?;
+    Some(Recovery { passes: settled.passes + fit.passes, starts: 0, fit })
+}
+
+/// Searches on parts of a sample, and what they cost.
+struct CoreSearch<'a> {
+    sample: &'a PointSet<'a>,
+    seed: u64,
+    passes: usize,
+    starts: usize,
+}
+
+impl CoreSearch<'_> {
+    /// The best few of a core's minima by the likelihood of a mixture on few of its points.
+    fn screen(&mut self, core: &Subset, start: Mixture) -> Vec<MixtureFit> {
+        let models = self.minima(core);
+        let few = Subset::stratified(core.columns(), SCREENED_POINTS, self.seed);
+        let few = PointSet { points: few.columns(), ..*self.sample };
+        let screened = |model: &Model| {
+            let variance = variance_of_nearest(&few, model);
+            let mixture = Mixture { variance, stray_share: SCREENING_SHARE, ..start };
+            alternate(&few, None, model, mixture, SCREENING)
+        };
+        let mut fits: Vec<MixtureFit> = models.iter().filter_map(screened).collect();
+        self.passes += fits.iter().map(|fit| fit.passes).sum::<usize>();
+        fits.sort_by(|a, b| b.log_likelihood.total_cmp(&a.log_likelihood));
+        fits
+    }
+
+    /// The best few minima of a search on a core, all of whose points count.
+    fn minima(&mut self, core: &Subset) -> Vec<Model> {
+        if core.columns()[0].len() <= PARAMETERS {
+            return Vec::new();
+        }
+        let moments = Moments::of(core.columns());
+        let normalization = &moments.normalization;
+        let few = Subset::stratified(core.columns(), COARSE_POINTS, self.seed);
+        let more = Subset::stratified(core.columns(), MEDIUM_POINTS, self.seed);
+        let evidence = self.sample.evidence.renormalized(self.sample.normalization, normalization);
+        let few = PointSet {
+            points: few.columns(),
+            normalization,
+            residual: Residual::Radial,
+            evidence: &evidence,
+            ..*self.sample
+        };
+        let mut search = Search::coarse(&few, &moments);
+        let few = PointSet { residual: Residual::Geometric, ..few };
+        search.refine(&few, &BRIEF, COARSE_FINALISTS);
+        search.refine(&PointSet { points: more.columns(), ..few }, &MEDIUM, MEDIUM_FINALISTS);
+        let minima = search.take_finalists(FINALISTS);
+        self.passes += search.passes;
+        self.starts += search.starts;
+        let here = |model: &Model| self.sample.normalization.renormalized(normalization, model);
+        minima.iter().map(here).collect()
+    }
+}
+
+fn more_likely(best: Option<MixtureFit>, next: Option<MixtureFit>) -> Option<MixtureFit> {
+    match (best, next) {
+        (Some(best), Some(next)) => Some(best.more_likely(next)),
+        (best, next) => best.or(next),
+    }
 }

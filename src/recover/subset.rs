@@ -3,6 +3,7 @@
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
+use super::normalization::Normalization;
 use crate::cloud::PointColumns;
 
 /// Some points, as owned columns.
@@ -28,6 +29,15 @@ impl Subset {
     /// The points at some indices.
     pub fn of(points: PointColumns, indices: &[usize]) -> Self {
         Self(points.map(|column| indices.iter().map(|&i| column[i]).collect()))
+    }
+
+    /// The points in normalised coordinates.
+    pub fn normalized(&self, normalization: &Normalization) -> Self {
+        let Normalization { centroid, inverse_radius, .. } = normalization;
+        let normalize = |k: usize| -> Vec<f64> {
+            self.0[k].iter().map(|x| (x - centroid[k]) * inverse_radius).collect()
+        };
+        Self([0, 1, 2].map(normalize))
     }
 
     /// The columns.

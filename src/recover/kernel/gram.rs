@@ -51,12 +51,19 @@ pub(crate) struct Gram {
     pub radial_squares: f64,
     /// Sum of squared first-order geometric distances.
     pub geometric_squares: f64,
+    /// What evidence besides the points adds to that sum.
+    pub evidence_squares: f64,
 }
 
 impl Gram {
     /// That of no rows.
     pub fn zero() -> Self {
-        Self { matrix: [[0.0; COLUMNS]; COLUMNS], radial_squares: 0.0, geometric_squares: 0.0 }
+        Self {
+            matrix: [[0.0; COLUMNS]; COLUMNS],
+            radial_squares: 0.0,
+            geometric_squares: 0.0,
+            evidence_squares: 0.0,
+        }
     }
 
     /// Adds the Gram matrix of other rows.
@@ -68,11 +75,46 @@ impl Gram {
         }
         self.radial_squares += other.radial_squares;
         self.geometric_squares += other.geometric_squares;
+        self.evidence_squares += other.evidence_squares;
     }
 
     /// Sum of squared residuals.
     pub fn residual_squares(&self) -> f64 {
         self.matrix[0][0]
+    }
+
+    /// Adds a row that is evidence.
+    pub fn add_row(&mut self, residual: f64, gradient: &[f64; PARAMETERS]) {
+        self.matrix[0][0] += residual * residual;
+        self.evidence_squares += residual * residual;
+        for (entry, slope) in self.matrix[0][1..].iter_mut().zip(gradient) {
+            *entry += residual * slope;
+        }
+        self.add_curvature(gradient);
+    }
+
+    /// Adds the product of a gradient with itself to `J'J`.
+    pub fn add_curvature(&mut self, gradient: &[f64; PARAMETERS]) {
+        for i in 0..PARAMETERS {
+            for j in i..PARAMETERS {
+                self.matrix[i + 1][j + 1] += gradient[i] * gradient[j];
+            }
+        }
+    }
+
+    /// Multiplies each residual by the root of a factor that depends on the parameters, given its
+    /// logarithm's derivatives: `r -> f^(1/2) r`, `J -> f^(1/2) (J + r grad (ln f) / 2)`.
+    pub fn multiply_cost(&mut self, factor: f64, log_gradient: &[f64; PARAMETERS]) {
+        let [first, ..] = self.matrix;
+        let half = log_gradient.map(|slope| 0.5 * slope);
+        for (i, half_i) in half.iter().enumerate() {
+            for (j, half_j) in half.iter().enumerate().skip(i) {
+                self.matrix[i + 1][j + 1] +=
+                    first[i + 1] * half_j + first[j + 1] * half_i + first[0] * half_i * half_j;
+            }
+            self.matrix[0][i + 1] += first[0] * half_i;
+        }
+        self.matrix.iter_mut().flatten().for_each(|entry| *entry *= factor);
     }
 
     /// Adds the rows of a block, tile by tile.

@@ -1,0 +1,121 @@
+//! Expectation and maximisation in turn: the mixture of surface and strays, and the model in it.
+
+use super::descent::{Descent, Effort, PointSet, descend};
+use super::mixture::{Expectation, Mixture};
+use crate::model::Model;
+
+/// Relative change of the noise's deviation, and of the share of strays, at the end.
+const SETTLED: f64 = 1e-4;
+
+/// A maximisation between two expectations.
+const STEP: Effort = Effort { tolerance: 1e-4, patience: 2, step_bound: 1.0 };
+
+/// The last maximisation.
+const FINISH: Effort = Effort { tolerance: 1e-8, patience: 16, step_bound: 1.0 };
+
+/// The 30 % quantile of the square of a normal deviate.
+const LOW_QUANTILE: f64 = 0.148;
+
+/// A fit of the mixture.
+#[derive(Debug, Clone)]
+pub(crate) struct MixtureFit {
+    /// The model and its rows, weighted.
+    pub descent: Descent,
+    /// The mixture around it.
+    pub mixture: Mixture,
+    /// Probability of each point to be one of the surface.
+    pub weights: Vec<f64>,
+    /// Mean logarithm of the points' density, less what evidence speaks against the model.
+    pub log_likelihood: f64,
+    /// Passes over the points.
+    pub passes: usize,
+}
+
+impl MixtureFit {
+    /// Indices of the points that are of the surface more likely than not.
+    pub fn surface(&self) -> Vec<usize> {
+        (0..self.weights.len()).filter(|&i| self.weights[i] > 0.5).collect()
+    }
+
+    /// The fit that makes the points more likely.
+    pub fn more_likely(self, other: Self) -> Self {
+        if other.log_likelihood > self.log_likelihood { other } else { self }
+    }
+}
+
+/// How an alternation goes.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Schedule {
+    /// Most rounds.
+    pub rounds: usize,
+    /// Whether the share of strays is estimated too, or stays as it is.
+    pub is_share_free: bool,
+}
+
+/// Alternates from a model and a mixture until both are settled. `odds` are what neighbours say of
+/// each point. None if the model is out of bounds, or the fit is interrupted.
+pub(crate) fn alternate(
+    points: &PointSet,
+    odds: Option<&[f64]>,
+    start: &Model,
+    mixture: Mixture,
+    schedule: Schedule,
+) -> Option<MixtureFit> {
+    let constrained = |next: Mixture| match schedule.is_share_free {
+        true => next,
+        false => Mixture { stray_share: mixture.stray_share, ..next },
+    };
+    let (mut model, mut mixture, mut passes) = (*start, mixture, 0);
+    let mut last = None;
+    for _ in 0..schedule.rounds {
+        let expectation = mixture.expect(&points.geometric_squares(&model), odds);
+        let descent = descend_weighted(points, &expectation.weights, &model, &STEP)?;
+        passes += descent.passes + 1;
+        model = descent.model;
+        last = Some(descent);
+        let next = constrained(expectation.next);
+        let settled = is_settled(&mixture, &next);
+        mixture = next;
+        if settled {
+            break;
+        }
+    }
+    let descent = last?;
+    let Expectation { weights, log_likelihood, next } =
+        mixture.expect(&points.geometric_squares(&model), odds);
+    let mixture = constrained(next);
+    let against = 0.5 * descent.gram.evidence_squares / (mixture.variance * weights.len() as f64);
+    let log_likelihood = log_likelihood - if against.is_finite() { against } else { 0.0 };
+    Some(MixtureFit { descent, mixture, weights, log_likelihood, passes: passes + 1 })
+}
+
+/// The model to the end under the weights of a fit.
+pub(crate) fn finish(points: &PointSet, fit: MixtureFit) -> Option<MixtureFit> {
+    let descent = descend_weighted(points, &fit.weights, &fit.descent.model, &FINISH)?;
+    let passes = fit.passes + descent.passes;
+    Some(MixtureFit { descent, passes, ..fit })
+}
+
+/// The variance of the noise around a model from the nearest third of the points, which are hardly
+/// strays.
+pub(crate) fn variance_of_nearest(points: &PointSet, model: &Model) -> f64 {
+    let mut squares = points.geometric_squares(model);
+    let place = 3 * squares.len() / 10;
+    let (_, square, _) = squares.select_nth_unstable_by(place, f64::total_cmp);
+    *square / LOW_QUANTILE
+}
+
+fn descend_weighted(
+    points: &PointSet,
+    weights: &[f64],
+    model: &Model,
+    effort: &Effort,
+) -> Option<Descent> {
+    let roots: Vec<f64> = weights.iter().map(|weight| weight.sqrt()).collect();
+    descend(&PointSet { root_weights: Some(&roots), ..*points }, model, effort)
+}
+
+fn is_settled(before: &Mixture, after: &Mixture) -> bool {
+    (after.variance - before.variance).abs() <= 2.0 * SETTLED * before.variance
+        && (after.stray_share - before.stray_share).abs() <= SETTLED
+}

@@ -1,0 +1,59 @@
+//! What a sample of the points shows before anything is fitted.
+
+use nalgebra::Vector3;
+
+use super::clutter::{Clutter, seen_area};
+use super::evidence::{Evidence, SeenArea};
+use super::mixture::Room;
+use super::neighbours::neighbour_distances;
+use super::normalization::Moments;
+use super::subset::Subset;
+use crate::cloud::PointColumns;
+
+/// Most points of the sample.
+const SAMPLE: usize = 3_000;
+
+/// A sample of the points, and what their neighbours say of them.
+#[derive(Debug, Clone)]
+pub(crate) struct Survey {
+    /// The sample.
+    pub points: Subset,
+    /// What is not of the surface, if there is any.
+    pub clutter: Option<Clutter>,
+    /// Where surface and strays lie, in normalised units.
+    pub room: Room,
+}
+
+impl Survey {
+    /// Of the points of a cloud with these moments.
+    pub fn of(points: PointColumns, moments: &Moments, seed: u64) -> Self {
+        let points = Subset::stratified(points, SAMPLE, seed);
+        let normalized = points.normalized(&moments.normalization);
+        let distances = neighbour_distances(normalized.columns());
+        let clutter = Clutter::find(&distances);
+        let area = clutter.as_ref().map_or_else(
+            || seen_area(&distances, &vec![1.0; distances.len()]),
+            |clutter| clutter.surface_area,
+        );
+        let volume = box_volume(normalized.columns(), moments);
+        Self { points, clutter, room: Room { area, volume } }
+    }
+
+    /// What it tells of the shape.
+    pub fn evidence(&self) -> Evidence {
+        let is_area = self.room.area.is_finite() && self.room.area > 0.0;
+        Evidence { seen_area: is_area.then_some(SeenArea(self.room.area)) }
+    }
+}
+
+/// The volume of the points' box along the cloud's principal axes.
+fn box_volume([xs, ys, zs]: PointColumns, moments: &Moments) -> f64 {
+    /// Least side: a flat cloud's strays, too, have room.
+    const LEAST_SIDE: f64 = 1e-3;
+    let (mut low, mut high) = (Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY));
+    for ((x, y), z) in xs.iter().zip(ys).zip(zs) {
+        let along = moments.axes.inverse_transform_vector(&Vector3::new(*x, *y, *z));
+        (low, high) = (low.inf(&along), high.sup(&along));
+    }
+    (high - low).map(|side| side.max(LEAST_SIDE)).product()
+}
