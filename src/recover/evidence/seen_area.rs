@@ -5,8 +5,6 @@
 //! the points lie is doubtful: where noise leaves the depth of a single view open, the points
 //! alone would take a giant for it.
 
-use std::f64::consts::PI;
-
 use crate::model::Model;
 use crate::recover::kernel::Gram;
 use crate::recover::radial::PARAMETERS;
@@ -46,52 +44,71 @@ impl SeenArea {
     }
 }
 
-/// The area to about a fifth, and the derivatives of its logarithm by `ln a1, ln a2, ln a3, e1,
-/// e2`: that of the ellipsoid (K. Thomsen's formula), times the ratio of the volumes to the power
-/// 2/3.
+/// The area to some percent, and the derivatives of its logarithm by `ln a1, ln a2, ln a3, e1, e2`.
+///
+/// `A = 8 c (w (a1 a2)^p + (a1 a3)^p + (a2 a3)^p)^(1/p)`, a box's with `p = c = w = 1`, nearly an
+/// ellipsoid's (K. Thomsen) with `p = 1.6`, an octahedron's with `p = 2`; `p - 1`, `ln c` and `ln w`
+/// are quadratic in the exponents, fitted to the areas of 1,500 fine meshes of aspect up to 1:30:
+/// standard error 1.5 %, at an aspect up to 1:4 1 %.
 fn approximate_area(shape: &Superellipsoid) -> (f64, [f64; 5]) {
-    const POWER: f64 = 1.6075;
-    const STEP: f64 = 1e-6;
-    let [a, b, c] = shape.size();
-    let [ab, ac, bc] = [a * b, a * c, b * c].map(|product| product.powf(POWER));
-    let sum = ab + ac + bc;
-    let [e1, e2] = shape.exponents();
-    let area = 4.0 * PI * (sum / 3.0).powf(1.0 / POWER) * volume_ratio([e1, e2]).powf(2.0 / 3.0);
-    let by_exponent = |above: [f64; 2], below: [f64; 2]| {
-        (volume_ratio(above) / volume_ratio(below)).ln() / (3.0 * STEP)
-    };
-    let gradient = [
-        (ab + ac) / sum,
-        (ab + bc) / sum,
-        (ac + bc) / sum,
-        by_exponent([e1 + STEP, e2], [e1 - STEP, e2]),
-        by_exponent([e1, e2 + STEP], [e1, e2 - STEP]),
+    let [a1, a2, a3] = shape.size();
+    let exponents = shape.exponents();
+    let (p, p_slopes) = quadratic(&[0.117, 0.193, 0.121, 0.057, 0.004], exponents);
+    let (log_c, c_slopes) = quadratic(&[-0.152, -0.062, -0.048, 0.05, -0.059], exponents);
+    let (log_w, w_slopes) = quadratic(&[-0.315, 0.28, 0.372, -0.301, -0.045], exponents);
+    let p = 1.0 + p;
+
+    let log_faces = [(a1 * a2).ln(), (a1 * a3).ln(), (a2 * a3).ln()];
+    let logs = [log_w + p * log_faces[0], p * log_faces[1], p * log_faces[2]];
+    let greatest = logs.into_iter().fold(f64::NEG_INFINITY, f64::max);
+    let powers = logs.map(|log| (log - greatest).exp());
+    let sum: f64 = powers.iter().sum();
+    let log_sum = greatest + sum.ln();
+    let shares = powers.map(|power| power / sum);
+
+    let mean_log_face: f64 = shares.iter().zip(log_faces).map(|(share, log)| share * log).sum();
+    let by_p = (mean_log_face - log_sum / p) / p;
+    let by_exponent = |k: usize| c_slopes[k] + by_p * p_slopes[k] + shares[0] / p * w_slopes[k];
+    let log_gradient = [
+        shares[0] + shares[1],
+        shares[0] + shares[2],
+        shares[1] + shares[2],
+        by_exponent(0),
+        by_exponent(1),
     ];
-    (area, gradient)
+    (8.0 * (log_c + log_sum / p).exp(), log_gradient)
 }
 
-/// The volume with these exponents over the ellipsoid's.
-fn volume_ratio(exponents: [f64; 2]) -> f64 {
-    const UNIT_BALL: f64 = 4.0 / 3.0 * PI;
-    Superellipsoid::new([1.0; 3], exponents).map_or(f64::NAN, |shape| shape.volume() / UNIT_BALL)
+/// `q1 e1 + q2 e2 + q3 e1^2 + q4 e2^2 + q5 e1 e2` and its derivatives.
+fn quadratic(q: &[f64; 5], [e1, e2]: [f64; 2]) -> (f64, [f64; 2]) {
+    let value = q[0] * e1 + q[1] * e2 + q[2] * e1 * e1 + q[3] * e2 * e2 + q[4] * e1 * e2;
+    (value, [q[0] + 2.0 * q[2] * e1 + q[4] * e2, q[1] + 2.0 * q[3] * e2 + q[4] * e1])
 }
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
     use super::*;
     use crate::pose::Pose;
+    use crate::surface::{Resolution, tessellate};
 
     fn area(size: [f64; 3], e: [f64; 2]) -> f64 {
         approximate_area(&Superellipsoid::new(size, e).unwrap()).0
     }
 
     #[test]
-    fn areas_of_sphere_cube_and_octahedron_are_right_to_a_fifth() {
-        for (e, exact) in [(1.0, 16.0 * PI), (0.01, 96.0), (2.0, 16.0 * 3.0_f64.sqrt())] {
-            let area = area([2.0; 3], [e; 2]);
-            assert!((area / exact - 1.0).abs() < 0.2, "{e}: {area} {exact}");
+    fn areas_are_those_of_meshes() {
+        let resolution = Resolution::new(64).unwrap();
+        for size in [[1.0; 3], [1.0, 2.0, 4.0], [4.0, 1.0, 2.0], [1.0, 0.25, 0.5]] {
+            for e1 in [0.1, 0.7, 1.0, 1.5, 2.0] {
+                for e2 in [0.1, 0.7, 1.0, 1.5, 2.0] {
+                    let shape = Superellipsoid::new(size, [e1, e2]).unwrap();
+                    let ratio = area(size, [e1, e2]) / tessellate(&shape, resolution).area();
+                    assert!((ratio - 1.0).abs() < 0.06, "{size:?} {e1} {e2}: {ratio}");
+                }
+            }
         }
-        assert!((area([2.0; 3], [1.0; 2]) / (16.0 * PI) - 1.0).abs() < 1e-12);
     }
 
     #[test]
@@ -126,12 +143,12 @@ mod tests {
     fn a_shape_seen_on_one_side_costs_nothing_more_and_a_giant_does() {
         assert_eq!(cost(4.0 * PI, 1.0).residual_squares(), 9.0);
         assert_eq!(cost(3.0 * PI, 1.0).residual_squares(), 9.0);
-        let excess = (4.0_f64 / 1.5).ln() / DEVIATION;
+        let excess = (area([2.0; 3], [1.0; 2]) / (USUAL_RATIO * 4.0 * PI)).ln() / DEVIATION;
         let giant = cost(4.0 * PI, 2.0);
         let expected = 9.0 * (1.0 + excess * excess / 100.0);
         assert!((giant.geometric_squares + giant.evidence_squares - expected).abs() < 1e-9);
-        // Half the derivative of the cost by ln a1, `9 excess / (100 DEVIATION)` times 2/3.
+        // Half the derivative of the cost by ln a1, `9 excess / (100 DEVIATION)` times nearly 2/3.
         let slope = 9.0 * excess / (100.0 * DEVIATION) * 2.0 / 3.0;
-        assert!((giant.matrix[0][1] - slope).abs() < 1e-9, "{:?} {slope}", giant.matrix[0]);
+        assert!((giant.matrix[0][1] - slope).abs() < 0.02, "{:?} {slope}", giant.matrix[0]);
     }
 }
