@@ -38,7 +38,7 @@ fn attempt(folder: &Path, options: &FitOptions) -> Result<Score, String> {
     let truth = read_truth(&folder.join("truth.json"))?;
     let cloud = cloud::read(&folder.join("cloud.ply")).map_err(|error| error.to_string())?;
     // The scenes share the threads; a fit has its own.
-    let options = FitOptions { threads: NonZeroUsize::new(1), ..*options };
+    let options = FitOptions { threads: NonZeroUsize::new(1), ..options.clone() };
     let start = Instant::now();
     let fit = fit(&cloud, &options).map_err(|error| error.to_string())?;
     let seconds = start.elapsed().as_secs_f64();

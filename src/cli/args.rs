@@ -84,7 +84,12 @@ pub(super) struct SearchArgs {
 impl SearchArgs {
     /// The options of a fit on so many threads.
     pub fn options(&self, threads: Option<NonZeroUsize>) -> FitOptions {
-        FitOptions { seed: self.seed, distance: self.distance.into(), threads }
+        FitOptions {
+            seed: self.seed,
+            distance: self.distance.into(),
+            threads,
+            ..FitOptions::default()
+        }
     }
 }
 

@@ -33,7 +33,7 @@ pub(super) fn evaluate_suite(
     threads: Option<NonZeroUsize>,
     on_scene: Option<Py<PyAny>>,
 ) -> PyResult<()> {
-    let options = FitOptions { seed, distance: distance_named(distance)?, threads: None };
+    let options = FitOptions { seed, distance: distance_named(distance)?, ..FitOptions::default() };
     let pool = pool_of(threads)?;
     let raised = OnceLock::new();
     let tell = |done: usize, total: usize| {

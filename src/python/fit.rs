@@ -49,7 +49,8 @@ pub(super) fn fit(
     threads: Option<NonZeroUsize>,
 ) -> PyResult<PyFit> {
     let cloud = point_cloud("points", points)?;
-    let options = FitOptions { seed, distance: distance_named(distance)?, threads };
+    let options =
+        FitOptions { seed, distance: distance_named(distance)?, threads, ..FitOptions::default() };
     let start = Instant::now();
     let fit =
         interruptible(points.py(), |is_interrupted| fit_unless(&cloud, &options, is_interrupted))??;

@@ -101,7 +101,7 @@ fn fit_in_pool(
         Distance::Radial => Found::plain(&all, &moments, options.seed),
         Distance::Geometric => {
             let survey = Survey::of(all.points, &moments, options.seed);
-            let all = PointSet { evidence: &survey.evidence(), ..all };
+            let all = PointSet { evidence: &survey.evidence(&moments, options), ..all };
             Found::among_strays(&all, &moments, &survey, options.seed)
         }
     };
@@ -215,6 +215,7 @@ fn normalize(cloud: &PointCloud) -> Result<Moments, FitError> {
 fn search(all: &PointSet, moments: &Moments, seed: u64) -> Search {
     let few = Subset::stratified(all.points, COARSE_POINTS, seed);
     let few = PointSet { points: few.columns(), parallel: false, ..*all };
+    let few = PointSet { evidence: &all.evidence.for_search(), ..few };
     let mut search = Search::coarse(&PointSet { residual: Residual::Radial, ..few }, moments);
     if all.residual != Residual::Radial {
         search.refine(&few, &BRIEF, SWITCHED_FINALISTS);

@@ -34,13 +34,22 @@ impl Normalization {
         }
     }
 
-    /// A model of another normalisation of the same cloud, in this one's coordinates.
-    pub fn renormalized(&self, other: &Self, model: &Model) -> Model {
+    /// A point of the cloud's coordinates, in normalised ones.
+    pub fn normalized(&self, point: [f64; 3]) -> Vector3<f64> {
+        (Vector3::from(point) - Vector3::from(self.centroid)) * self.inverse_radius
+    }
+
+    /// A point of another normalisation of the same cloud, in this one's coordinates.
+    pub fn point_of(&self, other: &Self, point: &Vector3<f64>) -> Vector3<f64> {
         let ratio = other.radius * self.inverse_radius;
-        let offset = Vector3::from(other.centroid) - Vector3::from(self.centroid);
-        let translation = offset * self.inverse_radius + model.pose.translation() * ratio;
+        self.normalized(other.centroid) + point * ratio
+    }
+
+    /// A model of another normalisation of the same cloud, in this one's coordinates.
+    pub fn model_of(&self, other: &Self, model: &Model) -> Model {
+        let translation = self.point_of(other, model.pose.translation());
         Model {
-            shape: model.shape.scaled(ratio),
+            shape: model.shape.scaled(other.radius * self.inverse_radius),
             pose: Pose::new(*model.pose.rotation(), translation),
         }
     }

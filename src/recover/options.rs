@@ -2,6 +2,9 @@
 
 use std::num::NonZeroUsize;
 
+use super::plane::Plane;
+use super::sight::Sight;
+
 /// The distance of a point from the surface whose squares are minimised.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Distance {
@@ -15,7 +18,7 @@ pub enum Distance {
 }
 
 /// Options of [`fit`](super::fit).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct FitOptions {
     /// Seed of the choice of the points that the first, coarse fits look at.
     pub seed: u64,
@@ -24,6 +27,10 @@ pub struct FitOptions {
     /// Threads to use; by default as many as the machine offers. The result's bytes do not
     /// depend on it.
     pub threads: Option<NonZeroUsize>,
+    /// Where the sensor stood, and what else it saw. Not used with the radial distance.
+    pub sight: Option<Sight>,
+    /// The plane that the object stands on. Not used with the radial distance.
+    pub support: Option<Plane>,
 }
 
 impl Distance {

@@ -150,7 +150,11 @@ impl CoreSearch<'_> {
         let normalization = &moments.normalization;
         let few = Subset::stratified(core.columns(), COARSE_POINTS, self.seed);
         let more = Subset::stratified(core.columns(), MEDIUM_POINTS, self.seed);
-        let evidence = self.sample.evidence.renormalized(self.sample.normalization, normalization);
+        let evidence = self
+            .sample
+            .evidence
+            .for_search()
+            .renormalized(self.sample.normalization, normalization);
         let few = PointSet {
             points: few.columns(),
             normalization,
@@ -165,7 +169,7 @@ impl CoreSearch<'_> {
         let minima = search.take_finalists(FINALISTS);
         self.passes += search.passes;
         self.starts += search.starts;
-        let here = |model: &Model| self.sample.normalization.renormalized(normalization, model);
+        let here = |model: &Model| self.sample.normalization.model_of(normalization, model);
         minima.iter().map(here).collect()
     }
 }

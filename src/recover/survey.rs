@@ -3,15 +3,20 @@
 use nalgebra::Vector3;
 
 use super::clutter::{Clutter, seen_area};
-use super::evidence::{Evidence, SeenArea};
+use super::evidence::{Evidence, FreeSpace, SeenArea, Support};
 use super::mixture::Room;
 use super::neighbours::neighbour_distances;
 use super::normalization::Moments;
+use super::options::FitOptions;
+use super::sight::Sight;
 use super::subset::Subset;
 use crate::cloud::PointColumns;
 
 /// Most points of the sample.
 const SAMPLE: usize = 3_000;
+
+/// Most rays to points of the sample that are looked along.
+const RAYS_TO_POINTS: usize = 100;
 
 /// A sample of the points, and what their neighbours say of them.
 #[derive(Debug, Clone)]
@@ -39,10 +44,25 @@ impl Survey {
         Self { points, clutter, room: Room { area, volume } }
     }
 
-    /// What it tells of the shape.
-    pub fn evidence(&self) -> Evidence {
+    /// What it tells of the shape, with what the caller knows.
+    pub fn evidence(&self, moments: &Moments, options: &FitOptions) -> Evidence {
+        let normalization = &moments.normalization;
         let is_area = self.room.area.is_finite() && self.room.area > 0.0;
-        Evidence { seen_area: is_area.then_some(SeenArea(self.room.area)) }
+        let free_space = |sight: &Sight| {
+            let hits = Subset::stratified(self.surface().columns(), RAYS_TO_POINTS, options.seed);
+            FreeSpace::new(sight, hits.columns(), normalization)
+        };
+        Evidence {
+            seen_area: is_area.then_some(SeenArea(self.room.area)),
+            free_space: options.sight.as_ref().map(free_space),
+            support: options.support.map(|plane| Support::new(&plane, normalization)),
+        }
+    }
+
+    /// The points of the sample that are no clutter.
+    pub fn surface(&self) -> Subset {
+        let of = |clutter: &Clutter| Subset::of(self.points.columns(), &clutter.surface());
+        self.clutter.as_ref().map_or_else(|| self.points.clone(), of)
     }
 }
 

@@ -7,6 +7,7 @@
 
 use crate::model::Model;
 use crate::recover::kernel::Gram;
+use crate::recover::normalization::Normalization;
 use crate::recover::radial::PARAMETERS;
 use crate::shape::Superellipsoid;
 
@@ -22,6 +23,12 @@ const DEVIATION: f64 = 0.1;
 pub(crate) struct SeenArea(pub f64);
 
 impl SeenArea {
+    /// In the coordinates of another normalisation of the same cloud.
+    pub fn renormalized(&self, from: &Normalization, to: &Normalization) -> Self {
+        let ratio = from.radius * to.inverse_radius;
+        Self(self.0 * ratio * ratio)
+    }
+
     /// Multiplies the cost C of n points to `C (1 + r^2 / n)`, r being the model's excess area in
     /// deviations: as -2 log likelihood is `n ln C + r^2`, whatever the noise.
     pub fn add_to(&self, gram: &mut Gram, model: &Model, weight: f64) {
