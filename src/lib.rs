@@ -33,8 +33,8 @@
 //!
 //! # Modules, in the order in which data flows
 //!
-//! [`math`] -> [`shape`] and [`pose`] -> [`model`] -> [`surface`], [`compare`]; [`cloud`] ->
-//! [`recover`] -> [`report`] and [`batch`] -> [`output`] and the command line. Nothing below the command line
+//! [`math`] -> [`shape`] and [`pose`] -> [`model`] -> [`surface`], [`compare`]; [`cloud`] and
+//! [`view`] -> [`recover`] -> [`report`] and [`batch`] -> [`output`] and the command line. Nothing below the command line
 //! prints or exits.
 
 pub mod batch;
@@ -54,3 +54,4 @@ pub mod recover;
 pub mod report;
 pub mod shape;
 pub mod surface;
+pub mod view;

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
-use crate::recover::{Distance, FitOptions};
+use crate::recover::{Distance, FitOptions, Plane};
 use crate::surface::Resolution;
 
 /// Recovers superquadrics from range points, and tells what there is to know of them.
@@ -51,8 +51,11 @@ pub(super) enum Command {
 /// and exits with 1.
 #[derive(Debug, clap::Args)]
 pub(super) struct FitArgs {
-    /// Point cloud: PLY, PCD, NPY or text (XYZ, CSV), told by its content; - is stdin.
+    /// Point cloud: PLY, PCD, NPY or text (XYZ, CSV), told by its content; - is stdin. With
+    /// --camera a depth map: PNG of 16 bits.
     pub cloud: PathBuf,
+    #[command(flatten)]
+    pub sensor: SensorArgs,
     /// Write the fit as JSON to this file; - is stdout, in place of the table.
     #[arg(short, long, value_name = "FIT.json")]
     pub output: Option<PathBuf>,
@@ -62,12 +65,45 @@ pub(super) struct FitArgs {
     /// Segments along each edge of the mesh's lattice (even).
     #[arg(long, value_name = "N", default_value = "32", value_parser = resolution)]
     pub resolution: Resolution,
+    /// Write the points as PLY with `inlier`, 1 for those of the surface and 0 for strays.
+    #[arg(long, value_name = "POINTS.ply")]
+    pub inliers: Option<PathBuf>,
     #[command(flatten)]
     pub search: SearchArgs,
     /// Threads to use [default: as many as the machine offers]. They change the time, not the
     /// result.
     #[arg(long, value_name = "N")]
     pub threads: Option<NonZeroUsize>,
+}
+
+/// What the sensor knows besides the points.
+#[derive(Debug, clap::Args)]
+pub(super) struct SensorArgs {
+    /// The input is a depth map of this camera: JSON with fx, fy, cx, cy, width, height in pixels
+    /// and depth_units_m. Lengths in the result are metres in the camera's frame.
+    #[arg(long, value_name = "CAM.json", conflicts_with = "viewpoint")]
+    pub camera: Option<PathBuf>,
+    /// The object in the depth map: PNG, not 0 where it is. Where the camera saw past it there is
+    /// nothing of the model.
+    #[arg(long, value_name = "MASK.png", requires = "camera")]
+    pub mask: Option<PathBuf>,
+    /// Metres to a count of the depth map [default: depth_units_m of the camera].
+    #[arg(long, value_name = "METRES", requires = "camera", value_parser = positive)]
+    pub depth_unit: Option<f64>,
+    /// Where the sensor stood, in the cloud's frame: nothing was in the way of its points.
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = vector::<3>)]
+    pub viewpoint: Option<[f64; 3]>,
+    /// The plane that the object stands on: A,B,C,D for A x + B y + C z + D = 0, the object where
+    /// this is positive; or auto, to find it around the object (needs --camera or --viewpoint).
+    #[arg(long, value_name = "PLANE", allow_hyphen_values = true, value_parser = support)]
+    pub support: Option<SupportArg>,
+}
+
+/// A support, as it is typed.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum SupportArg {
+    Auto,
+    Plane(Plane),
 }
 
 /// How the model is searched for.
@@ -158,6 +194,30 @@ impl From<DistanceArg> for Distance {
             DistanceArg::Geometric => Self::Geometric,
         }
     }
+}
+
+/// Numbers between commas.
+fn vector<const N: usize>(text: &str) -> Result<[f64; N], String> {
+    let expected = || format!("expected {N} numbers with commas between them");
+    let numbers: Result<Vec<f64>, _> =
+        text.split(',').map(|number| number.trim().parse::<f64>()).collect();
+    let numbers: [f64; N] = numbers.map_err(|_| expected())?.try_into().map_err(|_| expected())?;
+    let is_finite = numbers.iter().all(|number| number.is_finite());
+    if is_finite { Ok(numbers) } else { Err("expected finite numbers".to_owned()) }
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|number| number.is_finite() && *number > 0.0);
+    number.ok_or_else(|| "expected a positive number".to_owned())
+}
+
+fn support(text: &str) -> Result<SupportArg, String> {
+    if text == "auto" {
+        return Ok(SupportArg::Auto);
+    }
+    let [a, b, c, d] = vector(text).map_err(|error| format!("auto, or {error}"))?;
+    let plane = Plane::new([a, b, c], d).ok_or("expected a normal A,B,C other than 0")?;
+    Ok(SupportArg::Plane(plane))
 }
 
 fn resolution(text: &str) -> Result<Resolution, String> {

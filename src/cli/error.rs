@@ -10,6 +10,7 @@ use crate::output::OutputError;
 use crate::recover::FitError;
 use crate::report::DocumentError;
 use crate::surface::format::UnknownMeshFormat;
+use crate::view::ImageError;
 
 /// Why a command has failed.
 #[derive(Debug, Error)]
@@ -22,6 +23,12 @@ pub(super) enum CliError {
     Input { name: String, source: io::Error },
     #[error("{name}: {source}")]
     Document { name: String, source: DocumentError },
+    #[error(transparent)]
+    Image(#[from] ImageError),
+    #[error("--support auto needs --camera or --viewpoint: which side is up?")]
+    NoUpside,
+    #[error("{0}: no plane found that the object could stand on; give it as --support A,B,C,D")]
+    NoPlane(String),
     #[error(transparent)]
     MeshFormat(#[from] UnknownMeshFormat),
     #[error(transparent)]

@@ -4,10 +4,11 @@ use std::time::Instant;
 
 use super::args::FitArgs;
 use super::error::CliError;
-use super::input::{is_stream, name, read_cloud};
-use super::output::{print, write_mesh, write_text};
+use super::input::{is_stream, name};
+use super::output::{print, write_inliers, write_mesh, write_text};
+use super::scene::Scene;
 use super::{DONE, UNTRUSTED};
-use crate::recover::fit;
+use crate::recover::{FitOptions, fit};
 use crate::report::{FitDocument, fit_table};
 use crate::surface::format::MeshFormat;
 
@@ -16,8 +17,8 @@ pub(super) fn run(args: &FitArgs) -> Result<u8, CliError> {
         // Refused before the work rather than after it.
         MeshFormat::from_extension(mesh)?;
     }
-    let cloud = read_cloud(&args.cloud)?;
-    let options = args.search.options(args.threads);
+    let Scene { cloud, sight, support } = Scene::read(&args.cloud, &args.sensor, args.search.seed)?;
+    let options = FitOptions { sight, support, ..args.search.options(args.threads) };
     let start = Instant::now();
     let fit = fit(&cloud, &options)
         .map_err(|source| CliError::Fit { name: name(&args.cloud), source })?;
@@ -25,6 +26,9 @@ pub(super) fn run(args: &FitArgs) -> Result<u8, CliError> {
 
     if let Some(mesh) = &args.mesh {
         write_mesh(mesh, &fit.model, args.resolution)?;
+    }
+    if let Some(inliers) = &args.inliers {
+        write_inliers(inliers, &cloud, &fit.is_inlier)?;
     }
     if let Some(output) = &args.output {
         write_text(output, &FitDocument::new(&fit, seconds).to_json())?;

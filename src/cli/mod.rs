@@ -10,6 +10,7 @@ mod info;
 mod input;
 mod mesh;
 mod output;
+mod scene;
 
 use std::process::ExitCode;
 

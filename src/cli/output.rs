@@ -5,6 +5,7 @@ use std::path::Path;
 
 use super::error::CliError;
 use super::input::is_stream;
+use crate::cloud::{self, PointCloud};
 use crate::model::Model;
 use crate::output::write_whole;
 use crate::surface::format::MeshFormat;
@@ -22,6 +23,15 @@ pub(super) fn write_text(path: &Path, text: &str) -> Result<(), CliError> {
 pub(super) fn print(text: &str) -> Result<(), CliError> {
     let mut stdout = io::stdout().lock();
     stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()).map_err(CliError::Stdout)
+}
+
+/// Writes the points as PLY, each with whether it is of the surface.
+pub(super) fn write_inliers(
+    path: &Path,
+    cloud: &PointCloud,
+    is_inlier: &[bool],
+) -> Result<(), CliError> {
+    Ok(write_whole(path, |writer| cloud::write_inliers(cloud, is_inlier, writer))?)
 }
 
 /// Writes the mesh of a model, in the world, in the format of the file's extension.

@@ -1,6 +1,7 @@
 //! Point clouds: the structure-of-arrays container and, one file a format, its readers.
 
 mod error;
+mod inliers;
 mod input;
 mod npy;
 mod number;
@@ -14,5 +15,6 @@ mod text;
 mod text_rows;
 
 pub use error::{Place, Problem, ReadError};
+pub use inliers::write_inliers;
 pub use point_cloud::{PointCloud, PointColumns};
 pub use read::{read, read_stream};
