@@ -18,7 +18,8 @@ pub(super) fn run(args: &FitArgs) -> Result<u8, CliError> {
         MeshFormat::from_extension(mesh)?;
     }
     let Scene { cloud, sight, support } = Scene::read(&args.cloud, &args.sensor, args.search.seed)?;
-    let options = FitOptions { sight, support, ..args.search.options(args.threads) };
+    let constraints = args.shape.constraints();
+    let options = FitOptions { sight, support, constraints, ..args.search.options(args.threads) };
     let start = Instant::now();
     let fit = fit(&cloud, &options)
         .map_err(|source| CliError::Fit { name: name(&args.cloud), source })?;

@@ -10,6 +10,7 @@ use nalgebra::storage::Owned;
 use nalgebra::{Const, SMatrix, SVector};
 
 use super::chart::{Chart, Coordinates};
+use super::constraints::NormalizedConstraints;
 use super::kernel::{COLUMNS, Gram};
 use super::radial::PARAMETERS;
 use crate::model::Model;
@@ -48,8 +49,8 @@ pub(crate) struct CompressedProblem<R> {
 
 impl<R: Fn(&Model) -> Option<Gram>> CompressedProblem<R> {
     /// The problem, evaluated at the model it starts from.
-    pub fn around(start: &Model, rows: R) -> Self {
-        let (chart, coordinates) = Chart::around(start);
+    pub fn around(start: &Model, constraints: &NormalizedConstraints, rows: R) -> Self {
+        let (chart, coordinates) = Chart::around(start, constraints);
         let start = Evaluation { coordinates, model_and_gram: None };
         let mut problem = Self { chart, rows, current: start.clone(), best: start, passes: 0 };
         problem.current = problem.evaluate(&coordinates);
@@ -229,14 +230,18 @@ mod tests {
             let points = [&columns[0][..], &columns[1], &columns[2]];
             Some(gram(&view, points, None, false))
         };
-        let (chart, coordinates) = Chart::around(&start());
+        let (chart, coordinates) = Chart::around(&start(), &NormalizedConstraints::NONE);
         let full = FullProblem { chart, coordinates, points };
         let optimiser = || {
             LevenbergMarquardt::new().with_stepbound(1.0).with_scale_diag(false).with_ftol(1e-10)
         };
 
         let (full, full_report) = optimiser().minimize(full);
-        let (compressed, report) = optimiser().minimize(CompressedProblem::around(&start(), rows));
+        let (compressed, report) = optimiser().minimize(CompressedProblem::around(
+            &start(),
+            &NormalizedConstraints::NONE,
+            rows,
+        ));
 
         assert!(report.termination.was_successful(), "{:?}", report.termination);
         assert_eq!(report.termination, full_report.termination);

@@ -2,8 +2,8 @@
 
 use levenberg_marquardt::LevenbergMarquardt;
 
-use super::chart::EXPONENT_BOUNDS;
 use super::compressed::CompressedProblem;
+use super::constraints::{Bounds, NormalizedConstraints};
 use super::evidence::Evidence;
 use super::kernel::{Gram, ModelView, Residual, geometric_squares, gram};
 use super::normalization::Normalization;
@@ -20,6 +20,8 @@ pub(crate) struct PointSet<'a> {
     pub root_weights: Option<&'a [f64]>,
     /// What is known besides the points.
     pub evidence: &'a Evidence,
+    /// What is known of the parameters.
+    pub constraints: &'a NormalizedConstraints,
     /// Whether passes over the points are shared among threads.
     pub parallel: bool,
     /// What is minimised.
@@ -93,18 +95,18 @@ pub(crate) struct Descent {
     pub termination: Termination,
 }
 
-/// Runs that an exponent resting at its bound may cause, by being released.
+/// Runs that a parameter resting at its bound may cause, by being released.
 const RELEASES: usize = 2;
 
 /// Minimises the residuals of the points from a start. None if the start itself is out of bounds,
 /// or the fit is interrupted before the first pass.
 ///
-/// Within a run an exponent that has passed its bound rests there; if the minimum of the others
+/// Within a run a parameter that has passed its bound rests there; if the minimum of the others
 /// leaves it drawn back inside, another run follows from there.
 pub(crate) fn descend(points: &PointSet, start: &Model, effort: &Effort) -> Option<Descent> {
     let mut descent = run(points, start, effort)?;
     for _ in 0..RELEASES {
-        if !is_drawn_inside(&descent) {
+        if !is_drawn_inside(&descent, points.constraints) {
             break;
         }
         let further = run(points, &descent.model, effort)?;
@@ -114,18 +116,22 @@ pub(crate) fn descend(points: &PointSet, start: &Model, effort: &Effort) -> Opti
     Some(descent)
 }
 
-/// Whether the cost falls as an exponent moves from its bound to the inside.
-fn is_drawn_inside(descent: &Descent) -> bool {
-    let [low, high] = EXPONENT_BOUNDS;
-    let slopes = [descent.gram.matrix[0][4], descent.gram.matrix[0][5]];
-    let exponents = descent.model.shape.exponents();
-    exponents.iter().zip(slopes).any(|(&exponent, slope)| {
-        (exponent == low && slope < 0.0) || (exponent == high && slope > 0.0)
-    })
+/// Whether the cost falls as a parameter that rests at its bound moves to the inside.
+fn is_drawn_inside(descent: &Descent, constraints: &NormalizedConstraints) -> bool {
+    let slopes = &descent.gram.matrix[0];
+    let shape = &descent.model.shape;
+    let is_drawn = |value: f64, slope: f64, [low, high]: Bounds| {
+        low < high && ((value == low && slope < 0.0) || (value == high && slope > 0.0))
+    };
+    let [a, e] = [&slopes[1..4], &slopes[4..6]];
+    let size = shape.size().map(f64::ln);
+    (0..3).any(|k| is_drawn(size[k], a[k], constraints.log_size[k]))
+        || (0..2).any(|k| is_drawn(shape.exponents()[k], e[k], constraints.exponents[k]))
 }
 
 fn run(points: &PointSet, start: &Model, effort: &Effort) -> Option<Descent> {
-    let problem = CompressedProblem::around(start, |model: &Model| points.gram(model));
+    let problem =
+        CompressedProblem::around(start, points.constraints, |model: &Model| points.gram(model));
     let (problem, report) = LevenbergMarquardt::new()
         .with_ftol(effort.tolerance)
         .with_xtol(effort.tolerance)

@@ -32,6 +32,9 @@ pub enum FitError {
         /// RMS distance from the centroid, as far as it could be computed.
         spread: f64,
     },
+    /// Constraints that no model can keep.
+    #[error("the constraints cannot be kept: {0}")]
+    Contradiction(String),
     /// No descent stayed within the bounds of the sizes.
     #[error("no superellipsoid of finite size fits the points")]
     Unbounded,

@@ -87,12 +87,16 @@ fn fit_in_pool(
     parallel: bool,
     is_interrupted: Interrupt,
 ) -> Result<Fit, FitError> {
+    if let Some(reason) = options.constraints.contradiction() {
+        return Err(FitError::Contradiction(reason));
+    }
     let moments = normalize(cloud)?;
     let all = PointSet {
         points: cloud.columns(),
         normalization: &moments.normalization,
         root_weights: None,
         evidence: &Evidence::NONE,
+        constraints: &options.constraints.normalized(&moments.normalization),
         parallel,
         residual: residual(options.distance),
         is_interrupted,
@@ -113,7 +117,7 @@ fn fit_in_pool(
     let few = Subset::stratified(kept.points, COARSE_POINTS, options.seed);
     let few = PointSet { points: few.columns(), parallel: false, ..all };
     Ok(Fit {
-        model: in_cloud.canonical(),
+        model: if options.constraints.name_axes() { in_cloud } else { in_cloud.canonical() },
         distance: options.distance,
         termination: best.termination,
         doubts: doubts(&best, &moments, &few, kept.len()),

@@ -7,6 +7,7 @@ mod alternation;
 mod chart;
 mod clutter;
 mod compressed;
+mod constraints;
 mod descent;
 mod doubt;
 mod error;
@@ -30,6 +31,7 @@ mod survey;
 mod switches;
 mod uncertainty;
 
+pub use constraints::{Bounds, Constraints, Tie};
 pub use error::FitError;
 pub use fit::{fit, fit_unless};
 pub use geometric::geometric_row;

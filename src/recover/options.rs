@@ -2,6 +2,7 @@
 
 use std::num::NonZeroUsize;
 
+use super::constraints::Constraints;
 use super::plane::Plane;
 use super::sight::Sight;
 
@@ -31,6 +32,9 @@ pub struct FitOptions {
     pub sight: Option<Sight>,
     /// The plane that the object stands on. Not used with the radial distance.
     pub support: Option<Plane>,
+    /// What is known of the parameters. Where it bounds single semi-axes the model keeps their
+    /// names, else it is put in canonical form.
+    pub constraints: Constraints,
 }
 
 impl Distance {

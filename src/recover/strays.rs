@@ -160,6 +160,10 @@ impl CoreSearch<'_> {
             normalization,
             residual: Residual::Radial,
             evidence: &evidence,
+            constraints: &self
+                .sample
+                .constraints
+                .renormalized(self.sample.normalization, normalization),
             ..*self.sample
         };
         let mut search = Search::coarse(&few, &moments);

@@ -74,6 +74,7 @@ mod tests {
     use super::*;
     use crate::pose::Pose;
     use crate::recover::chart::Chart;
+    use crate::recover::constraints::NormalizedConstraints;
     use crate::shape::Superellipsoid;
     use crate::surface::sample_surface;
 
@@ -102,7 +103,7 @@ mod tests {
 
     #[test]
     fn the_gradient_is_that_of_the_gap() {
-        let (chart, origin) = Chart::around(&model());
+        let (chart, origin) = Chart::around(&model(), &NormalizedConstraints::NONE);
         let (_, gradient) = plane().gap(&model());
         let local = chart.local_from_coordinates(&origin, model().pose.rotation());
         let gradient = local.transpose() * nalgebra::SVector::from(gradient);
