@@ -1,11 +1,11 @@
 //! Whether a cloud can be fitted, and whether to believe what was fitted to it.
 
-use super::descent::{Descent, PointSet};
+use super::covariance::Covariance;
+use super::descent::Descent;
 use super::error::FitError;
 use super::normalization::Moments;
 use super::result::Doubt;
-use super::uncertainty::{dependence, size_errors};
-use crate::canonical::axis_order;
+use crate::model::Model;
 
 /// A spread of fewer steps of the coordinates' rounding than this is no shape.
 const LEAST_RESOLVED: f64 = 16.0;
@@ -41,12 +41,13 @@ fn flatness(moments: &Moments) -> f64 {
     FLATNESS * moments.deviations[0] + LEAST_RESOLVED * moments.resolution
 }
 
-/// The reasons not to trust where a fit has ended; `sample` is some of its points.
+/// The reasons not to trust where a fit has ended: `descent` from points of these moments, at
+/// `model`, in the cloud's coordinates, whose parameters have that covariance.
 pub(crate) fn doubts(
     descent: &Descent,
     moments: &Moments,
-    sample: &PointSet,
-    points: usize,
+    model: &Model,
+    covariance: &Covariance,
 ) -> Vec<Doubt> {
     let mut doubts = Vec::new();
     if !descent.termination.at_minimum {
@@ -60,12 +61,12 @@ pub(crate) fn doubts(
     if moments.deviations[2] <= flatness(moments) {
         doubts.push(Doubt::Flat);
     }
-    let dependence = dependence(sample, descent, points);
-    let errors = size_errors(descent, points, moments.resolution, dependence);
-    for (axis, place) in axis_order(&descent.model.shape).into_iter().enumerate() {
-        let relative_error = errors[place];
+    let errors = covariance.standard_errors();
+    for (axis, size) in model.shape.size().into_iter().enumerate() {
+        let relative_error = errors[axis] / size;
         if relative_error > GREATEST_SIZE_ERROR {
-            doubts.push(Doubt::UncertainSize { axis, relative_error });
+            let direction = model.pose.rotation().matrix().column(axis).into_owned().into();
+            doubts.push(Doubt::UncertainSize { axis, relative_error, direction });
         }
     }
     doubts

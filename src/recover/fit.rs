@@ -2,47 +2,28 @@
 
 use rayon::ThreadPoolBuilder;
 
-use super::alternation::MixtureFit;
-use super::descent::{Descent, Effort, Interrupt, PointSet};
+use super::covariance::Covariance;
+use super::descent::{Interrupt, PointSet};
 use super::doubt::{doubts, require_extent};
 use super::error::FitError;
 use super::evidence::Evidence;
+use super::found::{Found, Surface};
 use super::kernel::Residual;
 use super::normalization::Moments;
 use super::options::{Distance, FitOptions};
 use super::radial::PARAMETERS;
 use super::result::Fit;
-use super::search::{BRIEF, Search};
-use super::strays::{Recovery, fit_among_clutter, set_outliers_apart};
 use super::subset::Subset;
 use super::survey::Survey;
+use super::uncertainty::{covariance, dependence};
 use crate::cloud::PointCloud;
-
-/// Points that the coarse descents look at.
-const COARSE_POINTS: usize = 256;
-
-/// Points of the stages between the coarse search and all points: on the first the best few
-/// minima are told apart, the next brings the best near the minimum of all.
-const STAGES: [usize; 2] = [2_500, 50_000];
-
-/// How many times a stage's points a cloud must have for the stage to save work.
-const WORTH_A_STAGE: usize = 3;
+use crate::model::Model;
 
 /// Points from which on a pass is worth sharing among threads.
 const PARALLEL_POINTS: usize = 16_384;
 
-/// Minima that are taken from one distance to the other: that which is best under the second may
-/// be far from it under the first.
-const SWITCHED_FINALISTS: usize = 4;
-
-/// Minima that are taken on to more points.
-const FINALISTS: usize = 3;
-
-/// To tell the finalists apart, and to leave little to do on more points.
-const MEDIUM: Effort = Effort { tolerance: 1e-6, patience: 5, step_bound: 1.0 };
-
-/// To the end.
-const FINISH: Effort = Effort { tolerance: 1e-8, patience: 16, step_bound: 1.0 };
+/// Points on which the correlation of neighbours' residuals is judged.
+const CORRELATION_POINTS: usize = 256;
 
 /// Recovers a superellipsoid in general position from the points of its surface: the model that
 /// minimises the sum of the squares of `options.distance`, by default the first-order geometric
@@ -101,31 +82,33 @@ fn fit_in_pool(
         residual: residual(options.distance),
         is_interrupted,
     };
-    let found = match options.distance {
-        Distance::Radial => Found::plain(&all, &moments, options.seed),
-        Distance::Geometric => {
-            let survey = Survey::of(all.points, &moments, options.seed);
-            let all = PointSet { evidence: &survey.evidence(&moments, options), ..all };
-            Found::among_strays(&all, &moments, &survey, options.seed)
-        }
+    // The radial fit is left as it is in the literature: all points, and nothing else.
+    let is_radial = options.distance == Distance::Radial;
+    let survey = (!is_radial).then(|| Survey::of(all.points, &moments, options.seed));
+    let evidence = survey.as_ref().map(|survey| survey.evidence(&moments, options));
+    let all = PointSet { evidence: evidence.as_ref().unwrap_or(&Evidence::NONE), ..all };
+    let found = match &survey {
+        None => Found::plain(&all, &moments, options.seed),
+        Some(survey) => Found::among_strays(&all, &moments, survey, options.seed),
     };
     let Found { best, surface, passes, starts } = found.ok_or(FitError::Unbounded)?;
 
-    let in_cloud = moments.normalization.cloud_from_normalized(&best.model);
-    let kept = Subset::of(all.points, &surface.indices());
-    let kept = PointSet { points: kept.columns(), ..all };
-    let few = Subset::stratified(kept.points, COARSE_POINTS, options.seed);
-    let few = PointSet { points: few.columns(), parallel: false, ..all };
+    let model = in_final_form(&best.model, options);
+    let covariance = uncertainty_of(&all, &model, &surface, &moments, options.seed)
+        .ok_or(FitError::Interrupted)?;
+    let radius = moments.normalization.radius;
+    let in_cloud = moments.normalization.cloud_from_normalized(&model);
     Ok(Fit {
-        model: if options.constraints.name_axes() { in_cloud } else { in_cloud.canonical() },
+        model: in_cloud,
         distance: options.distance,
         termination: best.termination,
-        doubts: doubts(&best, &moments, &few, kept.len()),
-        rms_radial: best.radial_mean_square.sqrt() * moments.normalization.radius,
-        rms_geometric: best.geometric_mean_square.sqrt() * moments.normalization.radius,
-        noise: surface.deviation * moments.normalization.radius,
+        doubts: doubts(&best, &moments, &in_cloud, &covariance),
+        rms_radial: best.radial_mean_square.sqrt() * radius,
+        rms_geometric: best.geometric_mean_square.sqrt() * radius,
+        covariance,
+        noise: surface.deviation * radius,
         stray_share: surface.stray_share,
-        is_inlier: surface.is_inlier,
+        is_inlier: surface.is_inlier(),
         points: cloud.len(),
         points_skipped: cloud.skipped_rows().len(),
         evaluations: passes,
@@ -134,75 +117,26 @@ fn fit_in_pool(
     })
 }
 
-/// Where the descents have led.
-struct Found {
-    best: Descent,
-    surface: Surface,
-    passes: usize,
-    starts: usize,
+/// The one form that stands for all equivalent ones, unless the axes have been named.
+fn in_final_form(model: &Model, options: &FitOptions) -> Model {
+    if options.constraints.name_axes() { *model } else { model.canonical() }
 }
 
-impl Found {
-    /// The model that fits all points.
-    fn plain(all: &PointSet, moments: &Moments, seed: u64) -> Option<Self> {
-        let search = search(all, moments, seed);
-        let (passes, starts) = (search.passes, search.starts);
-        let best = search.into_best()?;
-        let surface = Surface::of_all(all, &best);
-        Some(Self { best, surface, passes, starts })
-    }
-
-    /// The model that fits the points of the surface, which others may lie among.
-    fn among_strays(all: &PointSet, moments: &Moments, survey: &Survey, seed: u64) -> Option<Self> {
-        if let Some(clutter) = &survey.clutter
-            && let Some(recovery) = fit_among_clutter(all, survey, clutter, seed)
-        {
-            return Some(recovery.into());
-        }
-        let plain = Self::plain(all, moments, seed)?;
-        let Some(recovery) = set_outliers_apart(all, survey, &plain.best) else {
-            return Some(plain);
-        };
-        let Self { best, surface, passes, .. } = recovery.into();
-        Some(Self { best, surface, passes: passes + plain.passes, starts: plain.starts })
-    }
-}
-
-impl From<Recovery> for Found {
-    fn from(Recovery { fit, passes, starts }: Recovery) -> Self {
-        Self { surface: Surface::of_mixture(&fit), best: fit.descent, passes, starts }
-    }
-}
-
-/// Which points are of the surface, and how they scatter about it, in normalised units.
-struct Surface {
-    is_inlier: Vec<bool>,
-    deviation: f64,
-    stray_share: f64,
-}
-
-impl Surface {
-    /// All points are.
-    fn of_all(all: &PointSet, best: &Descent) -> Self {
-        Self {
-            is_inlier: vec![true; all.len()],
-            deviation: best.geometric_mean_square.sqrt(),
-            stray_share: 0.0,
-        }
-    }
-
-    /// Those that are so more likely than not.
-    fn of_mixture(fit: &MixtureFit) -> Self {
-        Self {
-            is_inlier: fit.weights.iter().map(|weight| *weight > 0.5).collect(),
-            deviation: fit.mixture.variance.sqrt(),
-            stray_share: fit.mixture.stray_share,
-        }
-    }
-
-    fn indices(&self) -> Vec<usize> {
-        (0..self.is_inlier.len()).filter(|&i| self.is_inlier[i]).collect()
-    }
+/// How well the points of the surface, and what is known besides, determine the model.
+fn uncertainty_of(
+    all: &PointSet,
+    model: &Model,
+    surface: &Surface,
+    moments: &Moments,
+    seed: u64,
+) -> Option<Covariance> {
+    let roots = surface.root_weights();
+    let all = PointSet { root_weights: Some(&roots), evidence: &all.evidence.seen(), ..*all };
+    let kept = Subset::of(all.points, &surface.indices());
+    let few = Subset::stratified(kept.columns(), CORRELATION_POINTS, seed);
+    let few = PointSet { points: few.columns(), ..all };
+    let dependence = dependence(&few, model, kept.columns()[0].len());
+    covariance(&all, model, moments.resolution, dependence)
 }
 
 /// Centroid and spread of a cloud that can be fitted at all.
@@ -213,28 +147,6 @@ fn normalize(cloud: &PointCloud) -> Result<Moments, FitError> {
     let moments = Moments::of(cloud.columns());
     require_extent(&moments)?;
     Ok(moments)
-}
-
-/// The search: on a few hundred points for the minima, from coarse to fine for the best of them.
-fn search(all: &PointSet, moments: &Moments, seed: u64) -> Search {
-    let few = Subset::stratified(all.points, COARSE_POINTS, seed);
-    let few = PointSet { points: few.columns(), parallel: false, ..*all };
-    let few = PointSet { evidence: &all.evidence.for_search(), ..few };
-    let mut search = Search::coarse(&PointSet { residual: Residual::Radial, ..few }, moments);
-    if all.residual != Residual::Radial {
-        search.refine(&few, &BRIEF, SWITCHED_FINALISTS);
-    }
-    let mut finalists = FINALISTS;
-    for count in STAGES {
-        if all.len() >= WORTH_A_STAGE * count {
-            let some = Subset::stratified(all.points, count, seed);
-            let some = PointSet { points: some.columns(), parallel: false, ..*all };
-            search.refine(&some, &MEDIUM, finalists);
-            finalists = 1;
-        }
-    }
-    search.refine(all, &FINISH, finalists);
-    search
 }
 
 /// What is minimised in the end.

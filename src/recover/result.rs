@@ -4,6 +4,7 @@ use std::fmt;
 
 use levenberg_marquardt::TerminationReason;
 
+use super::covariance::Covariance;
 use super::options::Distance;
 use crate::model::Model;
 
@@ -24,6 +25,8 @@ pub struct Fit {
     /// unit: nearly the distance from the surface, which the radial one exceeds where the
     /// surface is oblique to its ray.
     pub rms_geometric: f64,
+    /// How well the points determine the model's parameters.
+    pub covariance: Covariance,
     /// Standard deviation of the surface points' geometric distances, in the cloud's unit.
     pub noise: f64,
     /// Estimated share of strays, points that are not of the surface, among all.
@@ -110,6 +113,8 @@ pub enum Doubt {
         axis: usize,
         /// Its relative standard error; near 1, it is not seen at all.
         relative_error: f64,
+        /// Where it points: a unit vector in the cloud's frame.
+        direction: [f64; 3],
     },
 }
 
@@ -138,9 +143,10 @@ impl fmt::Display for Doubt {
                 100.0 * relative_rms
             ),
             Self::Flat => write!(f, "the points lie in one plane"),
-            Self::UncertainSize { axis, relative_error } => write!(
+            Self::UncertainSize { axis, relative_error, direction: [x, y, z] } => write!(
                 f,
-                "the points do not determine semi-axis a{} (standard error {:.0} %)",
+                "the points do not determine semi-axis a{}, along ({x:.2}, {y:.2}, {z:.2}) (standard \
+                 error {:.0} %)",
                 axis + 1,
                 100.0 * relative_error
             ),

@@ -1,45 +1,78 @@
-//! How well the points determine the sizes: the linearised covariance at the optimum, allowing
-//! for residuals that err together.
+//! How well the points determine the parameters: the linearised covariance at the optimum,
+//! allowing for residuals that err together.
 
 use std::f64::consts::PI;
 
 use nalgebra::{SMatrix, SymmetricEigen, Vector3};
 
-use super::descent::{Descent, PointSet};
+use super::chart::Chart;
+use super::covariance::Covariance;
+use super::descent::PointSet;
 use super::geometric::geometric_row;
-use super::kernel::{ModelView, Residual};
+use super::kernel::{Gram, ModelView, Residual};
 use super::radial::PARAMETERS;
+use crate::model::Model;
 
 /// Standard errors of the correlation of neighbours that are put down to chance.
 const CHANCE: f64 = 2.0;
 
-/// Standard errors of `ln a1, ln a2, ln a3`, that is relative errors of the semi-axes.
+type Matrix = SMatrix<f64, PARAMETERS, PARAMETERS>;
+
+/// The covariance of the parameters of a model (normalised coordinates) that fits points, in the
+/// cloud's unit. None if the fit is interrupted.
 ///
-/// The covariance is `(J'J / (s^2 N c) + 1)^-1`, with `s^2 = r'r / (N - 11)` but not below the
-/// square of `resolution` (the rounding of the coordinates), and `1/c` the number of independent
-/// residuals ([`dependence`]): J'J of the local parameters in normalised units, and a prior of
-/// unit deviation, weak beside any data, which stands in where the points say nothing. A standard
-/// error near one is therefore "not seen at all".
-pub(crate) fn size_errors(
-    descent: &Descent,
-    points: usize,
+/// It is `(J'J / (s^2 n c) + 1)^-1` in the optimiser's coordinates, with `s^2 = r'r / (n - p)` but
+/// not below the square of `resolution` (the rounding of the coordinates), and `1/c` the number
+/// of independent residuals ([`dependence`]). The 1 is a prior of unit deviation, weak beside any
+/// data, which stands in where the points say nothing: a standard error of `ln a` near one is "not
+/// seen at all". Parameters that are fixed, or rest at a bound, have none.
+pub(crate) fn covariance(
+    points: &PointSet,
+    model: &Model,
     resolution: f64,
     dependence: f64,
-) -> [f64; 3] {
-    let freedom = points.saturating_sub(PARAMETERS);
-    if freedom == 0 {
-        return [1.0; 3];
-    }
-    let variance = descent.gram.residual_squares() / freedom as f64;
-    let variance = variance.max(resolution * resolution) * points as f64 * dependence;
-    let entry = |i: usize, j: usize| descent.gram.matrix[1 + i.min(j)][1 + i.max(j)] / variance;
-    let information = SMatrix::<f64, PARAMETERS, PARAMETERS>::from_fn(entry);
+) -> Option<Covariance> {
+    let (chart, coordinates) = Chart::around(model, points.constraints);
+    let transform = chart.local_from_coordinates(&coordinates, model.pose.rotation());
+    let gram = points.gram(model)?;
+    let is_free: Vec<bool> = (0..PARAMETERS).map(|k| transform.column(k).amax() > 0.0).collect();
+    let free = is_free.iter().filter(|is_free| **is_free).count() as f64;
+
+    let weight = points.weight();
+    let freedom = weight - free;
+    // As many points as parameters say nothing of the noise.
+    let variance = if freedom < 1.0 { f64::INFINITY } else { gram.residual_squares() / freedom };
+    let variance = variance.max(resolution * resolution) * weight * dependence;
+    let information = transform.transpose() * hessian(&gram) * transform / variance;
     let eigen = SymmetricEigen::new(information);
-    std::array::from_fn(|axis| {
-        let shares = eigen.eigenvectors.row(axis);
-        let terms = shares.iter().zip(eigen.eigenvalues.iter());
-        terms.map(|(share, value)| share * share / (value.max(0.0) + 1.0)).sum::<f64>().sqrt()
-    })
+    let inverse =
+        Matrix::from_diagonal(&eigen.eigenvalues.map(|value| 1.0 / (value.max(0.0) + 1.0)));
+    let mut normalized = eigen.eigenvectors * inverse * eigen.eigenvectors.transpose();
+    for k in (0..PARAMETERS).filter(|k| !is_free[*k]) {
+        normalized.row_mut(k).fill(0.0);
+        normalized.column_mut(k).fill(0.0);
+    }
+    let cloud_from_coordinates = derivatives_in_cloud(points, model, &transform);
+    Some(Covariance::new(cloud_from_coordinates * normalized * cloud_from_coordinates.transpose()))
+}
+
+/// Derivatives of the parameters in the cloud's unit by the optimiser's coordinates.
+fn derivatives_in_cloud(points: &PointSet, model: &Model, transform: &Matrix) -> Matrix {
+    let radius = points.normalization.radius;
+    let mut derivatives = Matrix::identity();
+    for k in 0..3 {
+        let size = model.shape.size()[k] * radius;
+        for j in 0..3 {
+            derivatives[(k, j)] = size * transform[(k, j)];
+        }
+        derivatives[(8 + k, 8 + k)] = radius;
+    }
+    derivatives
+}
+
+/// Half the second derivatives of the cost, by local parameters.
+fn hessian(gram: &Gram) -> Matrix {
+    Matrix::from_fn(|i, j| gram.matrix[1 + i.min(j)][1 + i.max(j)])
 }
 
 /// One over the number of independent residuals among `points`: `1/N` for noise that is
@@ -47,17 +80,17 @@ pub(crate) fn size_errors(
 ///
 /// A correlation that falls as `exp(-d/L)` over the surface is `rho` at the distance of
 /// neighbours in a sample of n points, and makes one residual of each `2 pi / ln(rho)^2` of them.
-pub(crate) fn dependence(sample: &PointSet, descent: &Descent, points: usize) -> f64 {
+pub(crate) fn dependence(sample: &PointSet, model: &Model, points: usize) -> f64 {
     let count = sample.len() as f64;
-    let rho = neighbour_correlation(sample, descent) - CHANCE / count.sqrt();
+    let rho = neighbour_correlation(sample, model) - CHANCE / count.sqrt();
     let together = if rho > 0.0 { 2.0 * PI / rho.ln().powi(2) } else { 0.0 };
     (1.0 / points as f64 + together / count).min(1.0)
 }
 
 /// Correlation of each sampled point's geometric distance with its nearest neighbour's.
-fn neighbour_correlation(sample: &PointSet, descent: &Descent) -> f64 {
-    let view = ModelView::new(sample.normalization, &descent.model, Residual::Radial);
-    let shape = &descent.model.shape;
+fn neighbour_correlation(sample: &PointSet, model: &Model) -> f64 {
+    let view = ModelView::new(sample.normalization, model, Residual::Radial);
+    let shape = &model.shape;
     let [xs, ys, zs] = sample.points;
     let local: Vec<Vector3<f64>> =
         (0..sample.len()).map(|i| view.model_from_cloud([xs[i], ys[i], zs[i]]).into()).collect();

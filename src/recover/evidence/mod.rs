@@ -43,6 +43,11 @@ impl Evidence {
         Self { free_space, ..self.clone() }
     }
 
+    /// What was seen, without what is only usual.
+    pub fn seen(&self) -> Self {
+        Self { seen_area: None, ..self.clone() }
+    }
+
     /// Adds its rows at a model to those of points with that weight in all.
     pub fn add_to(&self, gram: &mut Gram, model: &Model, weight: f64) {
         // First what multiplies the cost of the points alone.

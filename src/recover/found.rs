@@ -1,0 +1,144 @@
+//! From a survey to the best model and the points that are of its surface.
+
+use super::alternation::MixtureFit;
+use super::descent::{Descent, Effort, PointSet};
+use super::kernel::Residual;
+use super::normalization::Moments;
+use super::search::{BRIEF, Search};
+use super::strays::{Recovery, fit_among_clutter, set_outliers_apart};
+use super::subset::Subset;
+use super::survey::Survey;
+
+/// Points that the coarse descents look at.
+const COARSE_POINTS: usize = 256;
+
+/// Points of the stages between the coarse search and all points: on the first the best few
+/// minima are told apart, the next brings the best near the minimum of all.
+const STAGES: [usize; 2] = [2_500, 50_000];
+
+/// How many times a stage's points a cloud must have for the stage to save work.
+const WORTH_A_STAGE: usize = 3;
+
+/// Minima that are taken from one distance to the other: that which is best under the second may
+/// be far from it under the first.
+const SWITCHED_FINALISTS: usize = 4;
+
+/// Minima that are taken on to more points.
+const FINALISTS: usize = 3;
+
+/// To tell the finalists apart, and to leave little to do on more points.
+const MEDIUM: Effort = Effort { tolerance: 1e-6, patience: 5, step_bound: 1.0 };
+
+/// To the end.
+const FINISH: Effort = Effort { tolerance: 1e-8, patience: 16, step_bound: 1.0 };
+
+/// Where the descents have led.
+pub(crate) struct Found {
+    pub best: Descent,
+    pub surface: Surface,
+    /// Passes over point sets of any size, and models started from.
+    pub passes: usize,
+    pub starts: usize,
+}
+
+impl Found {
+    /// The model that fits all points.
+    pub fn plain(all: &PointSet, moments: &Moments, seed: u64) -> Option<Self> {
+        let search = search(all, moments, seed);
+        let (passes, starts) = (search.passes, search.starts);
+        let best = search.into_best()?;
+        let surface = Surface::of_all(all, &best);
+        Some(Self { best, surface, passes, starts })
+    }
+
+    /// The model that fits the points of the surface, which others may lie among.
+    pub fn among_strays(
+        all: &PointSet,
+        moments: &Moments,
+        survey: &Survey,
+        seed: u64,
+    ) -> Option<Self> {
+        if let Some(clutter) = &survey.clutter
+            && let Some(recovery) = fit_among_clutter(all, survey, clutter, seed)
+        {
+            return Some(recovery.into());
+        }
+        let plain = Self::plain(all, moments, seed)?;
+        let Some(recovery) = set_outliers_apart(all, survey, &plain.best) else {
+            return Some(plain);
+        };
+        let Self { best, surface, passes, .. } = recovery.into();
+        Some(Self { best, surface, passes: passes + plain.passes, starts: plain.starts })
+    }
+}
+
+impl From<Recovery> for Found {
+    fn from(Recovery { fit, passes, starts }: Recovery) -> Self {
+        Self { surface: Surface::of_mixture(&fit), best: fit.descent, passes, starts }
+    }
+}
+
+/// Which points are of the surface, and how they scatter about it, in normalised units.
+pub(crate) struct Surface {
+    /// Probability of each point to be of the surface.
+    weights: Vec<f64>,
+    pub deviation: f64,
+    pub stray_share: f64,
+}
+
+impl Surface {
+    /// All points are.
+    fn of_all(all: &PointSet, best: &Descent) -> Self {
+        Self {
+            weights: vec![1.0; all.len()],
+            deviation: best.geometric_mean_square.sqrt(),
+            stray_share: 0.0,
+        }
+    }
+
+    /// As a mixture has it.
+    fn of_mixture(fit: &MixtureFit) -> Self {
+        Self {
+            weights: fit.weights.clone(),
+            deviation: fit.mixture.variance.sqrt(),
+            stray_share: fit.mixture.stray_share,
+        }
+    }
+
+    /// Whether each point is of the surface more likely than not.
+    pub fn is_inlier(&self) -> Vec<bool> {
+        self.weights.iter().map(|weight| *weight > 0.5).collect()
+    }
+
+    /// The indices of those that are.
+    pub fn indices(&self) -> Vec<usize> {
+        (0..self.weights.len()).filter(|&i| self.weights[i] > 0.5).collect()
+    }
+
+    /// Roots of the points' weights.
+    pub fn root_weights(&self) -> Vec<f64> {
+        self.weights.iter().map(|weight| weight.sqrt()).collect()
+    }
+}
+
+/// The search: on a few hundred points for the minima, from coarse to fine for the best of them.
+fn search(all: &PointSet, moments: &Moments, seed: u64) -> Search {
+    let few = Subset::stratified(all.points, COARSE_POINTS, seed);
+    let few = PointSet { points: few.columns(), parallel: false, ..*all };
+    let few = PointSet { evidence: &all.evidence.for_search(), ..few };
+    let mut search = Search::coarse(&PointSet { residual: Residual::Radial, ..few }, moments);
+    if all.residual != Residual::Radial {
+        search.refine(&few, &BRIEF, SWITCHED_FINALISTS);
+    }
+    let mut finalists = FINALISTS;
+    for count in STAGES {
+        if all.len() >= WORTH_A_STAGE * count {
+            let some = Subset::stratified(all.points, count, seed);
+            let some = PointSet { points: some.columns(), parallel: false, ..*all };
+            search.refine(&some, &MEDIUM, finalists);
+            finalists = 1;
+        }
+    }
+    search.refine(all, &FINISH, finalists);
+    search
+}
