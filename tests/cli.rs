@@ -75,7 +75,11 @@ fn fit_prints_a_table_for_a_person() {
     for line in ["size", "exponents", "centre", "rotation", "residual", "points", "search"] {
         assert!(table.lines().any(|text| text.starts_with(line)), "{table}");
     }
-    assert!(table.contains("can be trusted") && table.contains("1964 used, 0 skipped"), "{table}");
+    assert!(
+        table.contains("can be trusted")
+            && table.contains("1964 used, 0 of them strays; 0 skipped"),
+        "{table}"
+    );
 }
 
 #[test]

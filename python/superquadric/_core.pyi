@@ -1,7 +1,7 @@
 """Types of the extension module; its docstrings stand in the Rust sources."""
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any, Literal, final, overload
 
 import numpy as np
@@ -11,6 +11,7 @@ __all__ = [
     "ArrayError",
     "BatchError",
     "CloudError",
+    "DepthMap",
     "DocumentError",
     "Fit",
     "FitError",
@@ -91,6 +92,24 @@ class Superellipsoid:
     def __deepcopy__(self, _memo: Any) -> Superellipsoid: ...
 
 @final
+class DepthMap:
+    def __new__(
+        cls,
+        path: str | os.PathLike[str],
+        camera: str | os.PathLike[str],
+        *,
+        mask: str | os.PathLike[str] | None = None,
+        depth_unit: float | None = None,
+    ) -> DepthMap: ...
+    @property
+    def points(self) -> NDArray[np.float64]: ...
+    @property
+    def viewpoint(self) -> NDArray[np.float64]: ...
+    @property
+    def free_rays(self) -> NDArray[np.float64]: ...
+    def find_support(self, seed: int = 0) -> NDArray[np.float64] | None: ...
+
+@final
 class Fit:
     @property
     def model(self) -> Superellipsoid: ...
@@ -108,6 +127,16 @@ class Fit:
     def rms_geometric(self) -> float: ...
     @property
     def relative_rms(self) -> float: ...
+    @property
+    def noise(self) -> float: ...
+    @property
+    def stray_share(self) -> float: ...
+    @property
+    def inlier_mask(self) -> NDArray[np.bool_]: ...
+    @property
+    def covariance(self) -> NDArray[np.float64]: ...
+    @property
+    def standard_errors(self) -> NDArray[np.float64]: ...
     @property
     def points(self) -> int: ...
     @property
@@ -160,6 +189,14 @@ def fit(
     seed: int = 0,
     distance: Literal["radial", "geometric"] = "geometric",
     threads: int | None = None,
+    viewpoint: ArrayLike | None = None,
+    free_rays: ArrayLike | None = None,
+    support: ArrayLike | None = None,
+    shape: Literal["any", "box", "cylinder", "ellipsoid", "sphere"] = "any",
+    fix: Mapping[str, float] | None = None,
+    size_range: tuple[float, float] | None = None,
+    exponent_range: tuple[float, float] | None = None,
+    tie: Literal["none", "equator", "all"] | None = None,
 ) -> Fit: ...
 @overload
 def read(

@@ -11,10 +11,6 @@ from ._core import Fit, Superellipsoid, fit
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-INLIER_RMS = 3.0
-"""Radial distance, in radial RMS of the fit, up to which a row counts as an inlier."""
-
-
 _OPTIONS = ("seed", "distance", "threads")
 
 
@@ -29,8 +25,8 @@ class SuperquadricEstimator:
     Attributes:
         model_: the recovered model.
         fit_: the model with the evidence for it.
-        inlier_mask_: bool of shape (n,), true for finite rows whose radial distance from the
-            model is at most three times the fit's radial RMS.
+        inlier_mask_: bool of shape (n,), true for finite rows that are more likely of the surface
+            than strays.
         n_features_in_: 3.
     """
 
@@ -61,12 +57,9 @@ class SuperquadricEstimator:
             ArrayError: if the shape is not (n, 3).
             FitError: if the points do not determine a solid.
         """
-        points = np.asarray(X)
-        self.fit_ = fit(points, **self.get_params())
+        self.fit_ = fit(X, **self.get_params())
         self.model_ = self.fit_.model
-        distance = np.abs(self.model_.radial_distance(points))
-        # Rows that are not finite are at no distance: NaN is not below the bound.
-        self.inlier_mask_ = distance <= INLIER_RMS * self.fit_.rms_radial
+        self.inlier_mask_ = self.fit_.inlier_mask
         self.n_features_in_ = 3
         return self
 

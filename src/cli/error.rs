@@ -1,6 +1,7 @@
 //! Everything that can end a command, each naming the file it is about.
 
 use std::io;
+use std::path::PathBuf;
 
 use thiserror::Error;
 
@@ -29,6 +30,14 @@ pub(super) enum CliError {
     NoUpside,
     #[error("{0}: no plane found that the object could stand on; give it as --support A,B,C,D")]
     NoPlane(String),
+    #[error("{0} is for one cloud: run several one by one")]
+    OneCloudOnly(&'static str),
+    #[error("{}: no files there that end in {endings}", folder.display())]
+    NoFiles { folder: PathBuf, endings: String },
+    #[error("cannot make folder {}: {source}", folder.display())]
+    Folder { folder: PathBuf, source: io::Error },
+    #[error("{}: another file of that name comes before it, and results are named after files", .0.display())]
+    SameName(PathBuf),
     #[error(transparent)]
     MeshFormat(#[from] UnknownMeshFormat),
     #[error(transparent)]

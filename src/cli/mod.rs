@@ -6,11 +6,14 @@ mod batch;
 mod completions;
 mod error;
 mod fit;
+mod fit_many;
 mod info;
 mod input;
 mod mesh;
 mod output;
+mod progress;
 mod scene;
+mod threads;
 
 use std::process::ExitCode;
 

@@ -1,15 +1,17 @@
 //! `superquadric.fit` and what it finds.
 
+use std::collections::HashMap;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use numpy::PyArray1;
+use numpy::{PyArray1, PyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use super::arrays::point_cloud;
 use super::interrupt::interruptible;
+use super::knowledge::{constraints, plane, sight};
 use super::model::PyModel;
 use crate::model::Model;
 use crate::output::write_whole;
@@ -29,6 +31,18 @@ use crate::report::FitDocument;
 ///         go on from its best minima with the first-order geometric distance.
 ///     threads: how many to use; by default as many as the machine offers. The result does not
 ///         depend on it.
+///     viewpoint: where the sensor stood, of shape (3,), in the points' frame.
+///     free_rays: rays of the sensor beside the object that came through, of shape (n, 4): a
+///         direction, and how far the ray came (infinite if it met nothing). They need a
+///         viewpoint; `DepthMap.free_rays` has them.
+///     support: the plane that the object stands on, (a, b, c, d) for `a x + b y + c z + d = 0`,
+///         positive on the object's side.
+///     shape: what kind of shape it is: `any`, `box`, `cylinder`, `ellipsoid` or `sphere`.
+///     fix: values of parameters that are known, by name: a1 a2 a3 e1 e2, and x y z of the centre.
+///     size_range: least and greatest semi-axis.
+///     exponent_range: least and greatest exponent, within 0.05 to 2.
+///     tie: semi-axes that are equal: `none`, `equator` (a1 = a2) or `all`; by default as `shape`
+///         has it.
 ///
 /// Returns:
 ///     The model with the evidence for it. A fit that deserves no trust is no error: see
@@ -37,20 +51,39 @@ use crate::report::FitDocument;
 /// Raises:
 ///     ArrayError: if the shape is not (n, 3).
 ///     TypeError: if the points are not real numbers.
-///     ValueError: if there is no such distance.
+///     ValueError: if there is no such distance, shape, tie or parameter, or no such plane.
 ///     FitError: if the points are fewer than the parameters, coincide, lie on one line, or have
-///         coordinates that cannot be squared.
+///         coordinates that cannot be squared; if what is known of the parameters cannot hold.
 #[pyfunction]
-#[pyo3(signature = (points, *, seed = 0, distance = "geometric", threads = None))]
+#[pyo3(signature = (
+    points, *, seed = 0, distance = "geometric", threads = None, viewpoint = None,
+    free_rays = None, support = None, shape = "any", fix = None, size_range = None,
+    exponent_range = None, tie = None
+))]
+#[expect(clippy::too_many_arguments, reason = "keyword arguments of a Python function")]
 pub(super) fn fit(
     points: &Bound<'_, PyAny>,
     seed: u64,
     distance: &str,
     threads: Option<NonZeroUsize>,
+    viewpoint: Option<&Bound<'_, PyAny>>,
+    free_rays: Option<&Bound<'_, PyAny>>,
+    support: Option<&Bound<'_, PyAny>>,
+    shape: &str,
+    fix: Option<HashMap<String, f64>>,
+    size_range: Option<[f64; 2]>,
+    exponent_range: Option<[f64; 2]>,
+    tie: Option<&str>,
 ) -> PyResult<PyFit> {
     let cloud = point_cloud("points", points)?;
-    let options =
-        FitOptions { seed, distance: distance_named(distance)?, threads, ..FitOptions::default() };
+    let options = FitOptions {
+        seed,
+        distance: distance_named(distance)?,
+        threads,
+        sight: sight(viewpoint, free_rays)?,
+        support: support.map(plane).transpose()?,
+        constraints: constraints(shape, &fix.unwrap_or_default(), size_range, exponent_range, tie)?,
+    };
     let start = Instant::now();
     let fit =
         interruptible(points.py(), |is_interrupted| fit_unless(&cloud, &options, is_interrupted))??;
@@ -143,7 +176,45 @@ impl PyFit {
         self.fit.relative_rms()
     }
 
-    /// Number of points fitted.
+    /// Standard deviation of the surface points' geometric distances, in the points' unit.
+    #[getter]
+    fn noise(&self) -> f64 {
+        self.fit.noise
+    }
+
+    /// Estimated share of strays, points that are not of the surface, among all.
+    #[getter]
+    fn stray_share(&self) -> f64 {
+        self.fit.stray_share
+    }
+
+    /// Which rows of the array are more likely of the surface than strays: bool of shape (n,),
+    /// false for those skipped.
+    #[getter]
+    fn inlier_mask<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<bool>> {
+        let mut is_inlier = vec![true; self.fit.points + self.fit.points_skipped];
+        self.skipped_rows.iter().for_each(|&row| is_inlier[row] = false);
+        let used = is_inlier.iter_mut().filter(|used| **used);
+        used.zip(&self.fit.is_inlier).for_each(|(row, inlier)| *row = *inlier);
+        PyArray1::from_vec(py, is_inlier)
+    }
+
+    /// Covariance of the parameters a1 a2 a3 e1 e2 rx ry rz x y z, float64 of shape (11, 11), in
+    /// the points' unit; (rx, ry, rz) is a small rotation in the model's frame, after the model's
+    /// own. What the points do not determine has standard errors of about the size itself.
+    #[getter]
+    fn covariance<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let rows: Vec<Vec<f64>> = self.fit.covariance.rows().map(Vec::from).into();
+        Ok(PyArray2::from_vec2(py, &rows)?)
+    }
+
+    /// Standard errors of the same parameters, float64 of shape (11,).
+    #[getter]
+    fn standard_errors<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_slice(py, &self.fit.covariance.standard_errors())
+    }
+
+    /// Number of points fitted, strays included.
     #[getter]
     fn points(&self) -> usize {
         self.fit.points

@@ -2,9 +2,11 @@
 
 mod arrays;
 mod batch;
+mod depth_map;
 mod errors;
 mod fit;
 mod interrupt;
+mod knowledge;
 mod model;
 mod pose;
 mod read;
@@ -17,6 +19,8 @@ use pyo3::prelude::*;
 mod core {
     #[pymodule_export]
     use super::batch::evaluate_suite;
+    #[pymodule_export]
+    use super::depth_map::PyDepthMap;
     #[pymodule_export]
     use super::errors::{
         ArrayError, BatchError, CloudError, DocumentError, FitError, ModelError, SuperquadricError,

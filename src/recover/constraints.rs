@@ -90,7 +90,9 @@ impl Constraints {
         let (least, greatest) = (EXPONENT_BOUNDS[0], EXPONENT_BOUNDS[1]);
         for (name, [low, high]) in named.zip(self.size.into_iter().chain(self.exponents)) {
             let is_exponent = name.starts_with('e');
-            if !(low <= high) {
+            // Written so that NaN is refused too.
+            let is_range = low <= high;
+            if !is_range {
                 return Some(format!("{name} is to be from {low} to {high}: nothing is"));
             }
             if is_exponent && (low < least || high > greatest) {

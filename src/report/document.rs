@@ -7,7 +7,7 @@ use thiserror::Error;
 use crate::error::ModelError;
 use crate::model::Model;
 use crate::pose::Pose;
-use crate::recover::Fit;
+use crate::recover::{Covariance, Doubt, Fit};
 use crate::shape::Superellipsoid;
 
 /// Name and version of the document of a fit.
@@ -150,6 +150,10 @@ struct EvidenceDocument {
     doubts: Vec<DoubtDocument>,
     rms_radial: f64,
     rms_geometric: f64,
+    noise: f64,
+    stray_share: f64,
+    inliers: usize,
+    uncertainty: UncertaintyDocument,
     points: usize,
     points_skipped: usize,
     evaluations: usize,
@@ -162,12 +166,54 @@ struct EvidenceDocument {
 struct DoubtDocument {
     kind: &'static str,
     message: String,
+    #[serde(flatten)]
+    unseen: Option<UnseenDocument>,
+}
+
+/// A semi-axis that the points do not determine.
+#[derive(Debug, Clone, Serialize)]
+struct UnseenDocument {
+    parameter: &'static str,
+    direction: [f64; 3],
+    relative_error: f64,
+}
+
+impl From<&Doubt> for DoubtDocument {
+    fn from(doubt: &Doubt) -> Self {
+        let unseen = match *doubt {
+            Doubt::UncertainSize { axis, relative_error, direction } => Some(UnseenDocument {
+                parameter: Covariance::NAMES[axis],
+                direction,
+                relative_error,
+            }),
+            _ => None,
+        };
+        Self { kind: doubt.name(), message: doubt.to_string(), unseen }
+    }
+}
+
+#[derive(Debug, Clone, Serialize)]
+struct UncertaintyDocument {
+    parameters: [&'static str; 11],
+    standard_errors: [f64; 11],
+    half_intervals_95: [f64; 11],
+    covariance: [[f64; 11]; 11],
+}
+
+impl From<&Covariance> for UncertaintyDocument {
+    fn from(covariance: &Covariance) -> Self {
+        Self {
+            parameters: Covariance::NAMES,
+            standard_errors: covariance.standard_errors(),
+            half_intervals_95: covariance.half_intervals(),
+            covariance: covariance.rows(),
+        }
+    }
 }
 
 impl FitDocument {
     /// The document of a fit that took so many seconds.
     pub fn new(fit: &Fit, seconds: f64) -> Self {
-        let doubts = fit.doubts.iter();
         Self {
             schema: FIT_SCHEMA,
             model: ModelDocument::from(&fit.model),
@@ -176,11 +222,13 @@ impl FitDocument {
                 status: fit.termination.status(),
                 termination: fit.termination.reason,
                 trusted: fit.is_trusted(),
-                doubts: doubts
-                    .map(|doubt| DoubtDocument { kind: doubt.name(), message: doubt.to_string() })
-                    .collect(),
+                doubts: fit.doubts.iter().map(DoubtDocument::from).collect(),
                 rms_radial: fit.rms_radial,
                 rms_geometric: fit.rms_geometric,
+                noise: fit.noise,
+                stray_share: fit.stray_share,
+                inliers: fit.inliers(),
+                uncertainty: UncertaintyDocument::from(&fit.covariance),
                 points: fit.points,
                 points_skipped: fit.points_skipped,
                 evaluations: fit.evaluations,

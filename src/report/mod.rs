@@ -6,4 +6,4 @@ mod table;
 pub use document::{
     DocumentError, FIT_SCHEMA, FitDocument, InfoDocument, ModelDocument, model_from_json,
 };
-pub use table::{fit_table, model_table};
+pub use table::{fit_line, fit_table, model_table};

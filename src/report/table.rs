@@ -8,20 +8,43 @@ use crate::recover::Fit;
 /// Digits to which a person wants to read a parameter.
 const DIGITS: usize = 6;
 
+/// Digits of an error.
+const ROUGH: usize = 2;
+
 /// What a fit has found, in a few lines.
 pub fn fit_table(fit: &Fit, seconds: f64) -> String {
     let mut table = parameters(&fit.model);
+    let half = fit.covariance.half_intervals();
+    line(
+        &mut table,
+        "+- (95 %)",
+        &format!(
+            "{} size, {} exponents, {} centre",
+            vector(&half[..3], ROUGH),
+            vector(&half[3..5], ROUGH),
+            vector(&half[8..], ROUGH)
+        ),
+    );
     let percent = 100.0 * fit.relative_rms();
     line(
         &mut table,
         "residual",
         &format!(
             "{} radial RMS ({percent:.2} % of the mean semi-axis), {} geometric",
-            number(fit.rms_radial),
-            number(fit.rms_geometric),
+            number(fit.rms_radial, DIGITS),
+            number(fit.rms_geometric, DIGITS),
         ),
     );
-    line(&mut table, "points", &format!("{} used, {} skipped", fit.points, fit.points_skipped));
+    line(
+        &mut table,
+        "points",
+        &format!(
+            "{} used, {} of them strays; {} skipped",
+            fit.points,
+            fit.points - fit.inliers(),
+            fit.points_skipped
+        ),
+    );
     line(
         &mut table,
         "search",
@@ -43,26 +66,46 @@ pub fn fit_table(fit: &Fit, seconds: f64) -> String {
     table
 }
 
+/// What a fit has found, in one line after the cloud's name.
+pub fn fit_line(name: &str, fit: &Fit) -> String {
+    let verdict = if fit.is_trusted() { "trusted" } else { "not trusted" };
+    let size = vector(&fit.model.shape.size(), DIGITS);
+    let exponents = vector(&fit.model.shape.exponents(), DIGITS);
+    format!("{name}  size {size}  exponents {exponents}  {verdict}\n")
+}
+
 /// What is known of a model, in a few lines.
 pub fn model_table(model: &Model) -> String {
     let mut table = parameters(model);
     let [min, max] = model.bounding_box();
-    line(&mut table, "extents", &vector(&model.shape.size().map(|a| 2.0 * a)));
-    line(&mut table, "volume", &number(model.shape.volume()));
-    line(&mut table, "box min", &vector(min.as_slice()));
-    line(&mut table, "box max", &vector(max.as_slice()));
+    line(&mut table, "extents", &vector(&model.shape.size().map(|a| 2.0 * a), DIGITS));
+    line(&mut table, "volume", &number(model.shape.volume(), DIGITS));
+    line(&mut table, "box min", &vector(min.as_slice(), DIGITS));
+    line(&mut table, "box max", &vector(max.as_slice(), DIGITS));
     table
 }
 
 fn parameters(model: &Model) -> String {
     let mut table = String::new();
     let [phi, theta, psi] = model.pose.euler_zyz().map(f64::to_degrees);
-    line(&mut table, "size", &format!("{}  (semi-axes a1 a2 a3)", vector(&model.shape.size())));
-    line(&mut table, "exponents", &format!("{}  (e1 e2)", vector(&model.shape.exponents())));
-    line(&mut table, "centre", &vector(model.pose.translation().as_slice()));
+    line(
+        &mut table,
+        "size",
+        &format!("{}  (semi-axes a1 a2 a3)", vector(&model.shape.size(), DIGITS)),
+    );
+    line(
+        &mut table,
+        "exponents",
+        &format!("{}  (e1 e2)", vector(&model.shape.exponents(), DIGITS)),
+    );
+    line(&mut table, "centre", &vector(model.pose.translation().as_slice(), DIGITS));
     line(&mut table, "rotation", &format!("{phi:.3} {theta:.3} {psi:.3}  (Euler ZYZ, degrees)"));
     for (name, axis) in ["axis x", "axis y", "axis z"].iter().zip(0..) {
-        line(&mut table, name, &vector(model.pose.rotation().matrix().column(axis).as_slice()));
+        line(
+            &mut table,
+            name,
+            &vector(model.pose.rotation().matrix().column(axis).as_slice(), DIGITS),
+        );
     }
     table
 }
@@ -72,20 +115,20 @@ fn line(table: &mut String, name: &str, value: &str) {
     let _ = writeln!(table, "{name:<10} {value}");
 }
 
-fn vector(values: &[f64]) -> String {
-    values.iter().map(|value| number(*value)).collect::<Vec<_>>().join(" ")
+fn vector(values: &[f64], digits: usize) -> String {
+    values.iter().map(|value| number(*value, digits)).collect::<Vec<_>>().join(" ")
 }
 
-/// A number with six significant digits, in the plainer of the two notations.
-fn number(value: f64) -> String {
+/// A number with some significant digits, in the plainer of the two notations.
+fn number(value: f64, digits: usize) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }
     let magnitude = value.abs().log10().floor() as i32;
     if !(-4..9).contains(&magnitude) {
-        return format!("{value:.*e}", DIGITS - 1);
+        return format!("{value:.*e}", digits - 1);
     }
-    let decimals = (DIGITS as i32 - 1 - magnitude).max(0) as usize;
+    let decimals = (digits as i32 - 1 - magnitude).max(0) as usize;
     format!("{value:.decimals$}")
 }
 
@@ -104,7 +147,7 @@ mod tests {
             (1.23456789e-9, "1.23457e-9"),
             (-9.8765432e12, "-9.87654e12"),
         ] {
-            assert_eq!(number(value), text);
+            assert_eq!(number(value, DIGITS), text);
         }
     }
 }

@@ -1,0 +1,145 @@
+//! What can be typed.
+
+mod fit;
+mod parse;
+mod sensor;
+mod shape;
+
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+
+pub(super) use fit::FitArgs;
+pub(super) use sensor::{SensorArgs, SupportArg};
+
+use clap::{Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
+
+use crate::recover::{Distance, FitOptions};
+use crate::surface::Resolution;
+use parse::resolution;
+
+/// Recovers superquadrics from range points, and tells what there is to know of them.
+#[derive(Debug, Parser)]
+#[command(name = "superquadric", version, about, after_long_help = AFTER_HELP)]
+pub(super) struct Args {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+const AFTER_HELP: &str = "\
+Examples:
+  superquadric fit cloud.ply                       what shape is it?
+  superquadric fit cloud.ply -o fit.json --mesh fit.ply
+  superquadric fit - -o - < cloud.xyz              from stdin, JSON to stdout
+  superquadric mesh fit.json -o shape.stl
+  superquadric info fit.json
+
+Exit codes:
+  0  done
+  1  done, but the fit cannot be trusted
+  2  bad input or usage
+
+A model is a superellipsoid
+  ((|x|/a1)^(2/e2) + (|y|/a2)^(2/e2))^(e2/e1) + (|z|/a3)^(2/e1) = 1
+with semi-axes a1 a2 a3 in the cloud's own unit and exponents e1 (north-south) and e2
+(east-west), turned by Euler angles ZYZ and moved to its centre. Exponents near 0 are boxes, 1 is
+round, 2 is bevelled.";
+
+#[derive(Debug, Subcommand)]
+pub(super) enum Command {
+    Fit(Box<FitArgs>),
+    Mesh(MeshArgs),
+    Info(InfoArgs),
+    Batch(BatchArgs),
+    Completions(CompletionsArgs),
+}
+
+/// How the model is searched for.
+#[derive(Debug, clap::Args)]
+pub(super) struct SearchArgs {
+    /// Seed of the choice of points that the coarse search looks at.
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u64,
+    /// The distance whose squares are minimised.
+    #[arg(long, value_enum, default_value_t)]
+    pub distance: DistanceArg,
+}
+
+impl SearchArgs {
+    /// The options of a fit on so many threads.
+    pub fn options(&self, threads: Option<NonZeroUsize>) -> FitOptions {
+        FitOptions {
+            seed: self.seed,
+            distance: self.distance.into(),
+            threads,
+            ..FitOptions::default()
+        }
+    }
+}
+
+/// Write a mesh of a model's surface.
+#[derive(Debug, clap::Args)]
+pub(super) struct MeshArgs {
+    /// A fit or a bare model in JSON; - is stdin.
+    pub model: PathBuf,
+    /// File to write: .ply, .obj or .stl.
+    #[arg(short, long, value_name = "MESH")]
+    pub output: PathBuf,
+    /// Segments along each edge of the mesh's lattice (even).
+    #[arg(long, value_name = "N", default_value = "32", value_parser = resolution)]
+    pub resolution: Resolution,
+}
+
+/// Tell what is known of a model: axes, extents, volume, bounding box.
+#[derive(Debug, clap::Args)]
+pub(super) struct InfoArgs {
+    /// A fit or a bare model in JSON; - is stdin.
+    pub model: PathBuf,
+    /// Print JSON instead of a table.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Fit and score every scene of a suite whose truth is known.
+///
+/// Writes a row a scene and a summary by level, and prints the summary. A run that was
+/// interrupted goes on where it ended.
+#[derive(Debug, clap::Args)]
+pub(super) struct BatchArgs {
+    /// Folder of the suite: suite.json, and scenes/NAME/ with cloud.ply and truth.json.
+    pub suite: PathBuf,
+    /// Folder of the results: scenes.csv, summary.json, and a document a scene.
+    #[arg(short, long, value_name = "RESULTS")]
+    pub output: PathBuf,
+    #[command(flatten)]
+    pub search: SearchArgs,
+    /// Threads to use [default: as many as the machine offers].
+    #[arg(long, value_name = "N")]
+    pub threads: Option<NonZeroUsize>,
+}
+
+/// Print shell completions.
+#[derive(Debug, clap::Args)]
+pub(super) struct CompletionsArgs {
+    /// Shell to complete for.
+    pub shell: Shell,
+}
+
+/// A distance, as it is typed.
+#[derive(Debug, Clone, Copy, Default, ValueEnum)]
+pub(super) enum DistanceArg {
+    /// Along the ray from the centre (JLS Eq. 2.43).
+    Radial,
+    /// The radial one first, then the first-order geometric one.
+    #[default]
+    Geometric,
+}
+
+impl From<DistanceArg> for Distance {
+    fn from(typed: DistanceArg) -> Self {
+        match typed {
+            DistanceArg::Radial => Self::Radial,
+            DistanceArg::Geometric => Self::Geometric,
+        }
+    }
+}
