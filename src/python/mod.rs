@@ -9,6 +9,7 @@ mod model;
 mod pose;
 mod read;
 mod score;
+mod view;
 
 use pyo3::prelude::*;
 
@@ -19,7 +20,8 @@ mod core {
     use super::batch::evaluate_suite;
     #[pymodule_export]
     use super::errors::{
-        ArrayError, BatchError, CloudError, DocumentError, FitError, ModelError, SuperquadricError,
+        ArrayError, BatchError, CloudError, DocumentError, FitError, ImageError, ModelError,
+        SuperquadricError,
     };
     #[pymodule_export]
     use super::fit::{PyFit, fit};
@@ -29,6 +31,8 @@ mod core {
     use super::read::read;
     #[pymodule_export]
     use super::score::{PyScore, score};
+    #[pymodule_export]
+    use super::view::{PyCamera, PyDepthMap, read_depth};
 
     #[pymodule_export]
     #[expect(non_upper_case_globals, reason = "the name that Python expects")]

@@ -2,6 +2,7 @@
 
 mod camera;
 mod depth_map;
+mod distortion;
 mod error;
 mod image;
 mod mask;
@@ -9,6 +10,7 @@ mod table;
 
 pub use camera::Camera;
 pub use depth_map::DepthMap;
+pub use distortion::Distortion;
 pub use error::ImageError;
 pub use mask::Mask;
 pub use table::{find_plane, points_above};
