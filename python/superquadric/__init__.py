@@ -8,11 +8,13 @@ Lengths are in the caller's own unit, angles in radians. A model's parameters ar
 from ._core import (
     ArrayError,
     BatchError,
+    Camera,
     CloudError,
     DepthMap,
     DocumentError,
     Fit,
     FitError,
+    ImageError,
     ModelError,
     Score,
     Superellipsoid,
@@ -20,6 +22,7 @@ from ._core import (
     __version__,
     fit,
     read,
+    read_depth,
     score,
 )
 from .estimator import SuperquadricEstimator
@@ -27,11 +30,13 @@ from .estimator import SuperquadricEstimator
 __all__ = [
     "ArrayError",
     "BatchError",
+    "Camera",
     "CloudError",
     "DepthMap",
     "DocumentError",
     "Fit",
     "FitError",
+    "ImageError",
     "ModelError",
     "Score",
     "Superellipsoid",
@@ -40,5 +45,6 @@ __all__ = [
     "__version__",
     "fit",
     "read",
+    "read_depth",
     "score",
 ]

@@ -1,7 +1,7 @@
 """Types of the extension module; its docstrings stand in the Rust sources."""
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Literal, final, overload
 
 import numpy as np
@@ -10,11 +10,13 @@ from numpy.typing import ArrayLike, NDArray
 __all__ = [
     "ArrayError",
     "BatchError",
+    "Camera",
     "CloudError",
     "DepthMap",
     "DocumentError",
     "Fit",
     "FitError",
+    "ImageError",
     "ModelError",
     "Score",
     "Superellipsoid",
@@ -23,6 +25,7 @@ __all__ = [
     "_evaluate_suite",
     "fit",
     "read",
+    "read_depth",
     "score",
 ]
 
@@ -34,6 +37,7 @@ class BatchError(SuperquadricError): ...
 class CloudError(SuperquadricError): ...
 class DocumentError(SuperquadricError): ...
 class FitError(SuperquadricError): ...
+class ImageError(SuperquadricError): ...
 class ModelError(SuperquadricError): ...
 
 @final
@@ -90,24 +94,6 @@ class Superellipsoid:
     def __getnewargs_ex__(self) -> tuple[tuple[Any, ...], dict[str, Any]]: ...
     def __copy__(self) -> Superellipsoid: ...
     def __deepcopy__(self, _memo: Any) -> Superellipsoid: ...
-
-@final
-class DepthMap:
-    def __new__(
-        cls,
-        path: str | os.PathLike[str],
-        camera: str | os.PathLike[str],
-        *,
-        mask: str | os.PathLike[str] | None = None,
-        depth_unit: float | None = None,
-    ) -> DepthMap: ...
-    @property
-    def points(self) -> NDArray[np.float64]: ...
-    @property
-    def viewpoint(self) -> NDArray[np.float64]: ...
-    @property
-    def free_rays(self) -> NDArray[np.float64]: ...
-    def find_support(self, seed: int = 0) -> NDArray[np.float64] | None: ...
 
 @final
 class Fit:
@@ -174,6 +160,56 @@ class Score:
     @property
     def rotation_error(self) -> float: ...
 
+@final
+class Camera:
+    def __new__(
+        cls,
+        fx: float,
+        fy: float,
+        cx: float,
+        cy: float,
+        width: int,
+        height: int,
+        *,
+        distortion: Sequence[float] | None = None,
+        depth_unit: float | None = None,
+    ) -> Camera: ...
+    @staticmethod
+    def load(path: str | os.PathLike[str]) -> Camera: ...
+    @property
+    def fx(self) -> float: ...
+    @property
+    def fy(self) -> float: ...
+    @property
+    def cx(self) -> float: ...
+    @property
+    def cy(self) -> float: ...
+    @property
+    def width(self) -> int: ...
+    @property
+    def height(self) -> int: ...
+    @property
+    def depth_unit(self) -> float | None: ...
+    @property
+    def distortion(self) -> list[float]: ...
+    def project(self, points: ArrayLike) -> NDArray[np.float64]: ...
+    def rays(self, pixels: ArrayLike) -> NDArray[np.float64]: ...
+    def __eq__(self, other: object, /) -> bool: ...
+    def __ne__(self, other: object, /) -> bool: ...
+
+@final
+class DepthMap:
+    @property
+    def camera(self) -> Camera: ...
+    @property
+    def depth(self) -> NDArray[np.float64]: ...
+    @property
+    def viewpoint(self) -> NDArray[np.float64]: ...
+    def object_points(self) -> NDArray[np.float64]: ...
+    def surroundings(self) -> NDArray[np.float64]: ...
+    def free_rays(self) -> NDArray[np.float64]: ...
+    def find_support(self, *, seed: int = 0) -> NDArray[np.float64] | None: ...
+
 def _evaluate_suite(
     suite: str | os.PathLike[str],
     results: str | os.PathLike[str],
@@ -206,6 +242,13 @@ def read(
 def read(
     path: str | os.PathLike[str], *, return_skipped: Literal[True]
 ) -> tuple[NDArray[np.float64], NDArray[np.int64]]: ...
+def read_depth(
+    path: str | os.PathLike[str],
+    camera: Camera | str | os.PathLike[str],
+    *,
+    mask: str | os.PathLike[str] | None = None,
+    depth_unit: float | None = None,
+) -> DepthMap: ...
 def score(
     truth: Superellipsoid | Fit,
     found: Superellipsoid | Fit,

@@ -13,6 +13,7 @@ use crate::output::OutputError;
 use crate::recover::FitError as CoreFitError;
 use crate::report::DocumentError as CoreDocumentError;
 use crate::surface::ResolutionError;
+use crate::view::ImageError as CoreImageError;
 
 create_exception!(
     superquadric,
@@ -46,6 +47,12 @@ create_exception!(
     "JSON that does not hold a model."
 );
 
+create_exception!(
+    superquadric,
+    ImageError,
+    SuperquadricError,
+    "A file that does not hold the image or the camera that it should."
+);
 create_exception!(
     superquadric,
     BatchError,
@@ -100,6 +107,15 @@ impl From<ReadError> for PyErr {
             Problem::Io(source) => os_error(source.kind(), message),
             Problem::Directory => os_error(io::ErrorKind::IsADirectory, message),
             _ => CloudError::new_err(message),
+        }
+    }
+}
+
+impl From<CoreImageError> for PyErr {
+    fn from(error: CoreImageError) -> Self {
+        match error.io_kind() {
+            Some(kind) => os_error(kind, error.to_string()),
+            None => ImageError::new_err(error.to_string()),
         }
     }
 }

@@ -2,7 +2,6 @@
 
 mod arrays;
 mod batch;
-mod depth_map;
 mod errors;
 mod fit;
 mod interrupt;
@@ -11,6 +10,7 @@ mod model;
 mod pose;
 mod read;
 mod score;
+mod view;
 
 use pyo3::prelude::*;
 
@@ -20,10 +20,9 @@ mod core {
     #[pymodule_export]
     use super::batch::evaluate_suite;
     #[pymodule_export]
-    use super::depth_map::PyDepthMap;
-    #[pymodule_export]
     use super::errors::{
-        ArrayError, BatchError, CloudError, DocumentError, FitError, ModelError, SuperquadricError,
+        ArrayError, BatchError, CloudError, DocumentError, FitError, ImageError, ModelError,
+        SuperquadricError,
     };
     #[pymodule_export]
     use super::fit::{PyFit, fit};
@@ -33,6 +32,8 @@ mod core {
     use super::read::read;
     #[pymodule_export]
     use super::score::{PyScore, score};
+    #[pymodule_export]
+    use super::view::{PyCamera, PyDepthMap, read_depth};
 
     #[pymodule_export]
     #[expect(non_upper_case_globals, reason = "the name that Python expects")]

@@ -62,9 +62,19 @@ impl DepthMap {
         Ok(map)
     }
 
+    /// The camera.
+    pub fn camera(&self) -> &Camera {
+        &self.camera
+    }
+
+    /// Depth along z of each pixel, in metres, row by row; 0 where there is none.
+    pub fn depths(&self) -> &[f64] {
+        &self.depths
+    }
+
     /// The points of the object, in the camera's frame.
     pub fn object_points(&self) -> PointCloud {
-        self.object_pixels().map(|pixel| self.point(pixel)).collect()
+        self.object_pixels().filter_map(|pixel| self.point(pixel)).collect()
     }
 
     /// Where the camera stood and what it saw beside the object. Without a mask it saw nothing
@@ -77,7 +87,8 @@ impl DepthMap {
                 .filter(|&pixel| BESIDE.contains(&distances[pixel]) && self.depths[pixel] > 0.0)
                 .collect();
             let count = beside.len().min(RAYS_BESIDE);
-            sight.free = (0..count).map(|i| self.line(beside[i * beside.len() / count])).collect();
+            let chosen = (0..count).map(|i| beside[i * beside.len() / count]);
+            sight.free = chosen.filter_map(|pixel| self.line(pixel)).collect();
         }
         sight
     }
@@ -91,7 +102,7 @@ impl DepthMap {
             let is_beside = distances[*pixel] >= *BESIDE.start() && distances[*pixel] <= reach;
             is_beside && self.depths[*pixel] > 0.0
         };
-        (0..self.depths.len()).filter(is_around).map(|pixel| self.point(pixel)).collect()
+        (0..self.depths.len()).filter(is_around).filter_map(|pixel| self.point(pixel)).collect()
     }
 
     /// The greater side of the mask's box, in pixels.
@@ -121,19 +132,21 @@ impl DepthMap {
         [pixel % width, pixel / width].map(|place| place as u32)
     }
 
-    fn ray(&self, pixel: usize) -> [f64; 3] {
+    fn ray(&self, pixel: usize) -> Option<[f64; 3]> {
         let [column, row] = self.place(pixel).map(f64::from);
         self.camera.ray(column, row)
     }
 
-    fn point(&self, pixel: usize) -> [f64; 3] {
-        self.ray(pixel).map(|along| along * self.depths[pixel])
+    /// The point seen in a pixel; none where distortion lets no ray through.
+    fn point(&self, pixel: usize) -> Option<[f64; 3]> {
+        Some(self.ray(pixel)?.map(|along| along * self.depths[pixel]))
     }
 
-    fn line(&self, pixel: usize) -> SightLine {
-        let direction = self.ray(pixel);
+    /// The line of sight to the point seen in a pixel.
+    fn line(&self, pixel: usize) -> Option<SightLine> {
+        let direction = self.ray(pixel)?;
         let length = direction.iter().map(|along| along * along).sum::<f64>().sqrt();
-        SightLine { direction, reach: self.depths[pixel] * length }
+        Some(SightLine { direction, reach: self.depths[pixel] * length })
     }
 }
 

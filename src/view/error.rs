@@ -15,11 +15,19 @@ impl ImageError {
     pub(super) fn new(file: &Path, problem: ImageProblem) -> Self {
         Self { file: file.to_owned(), problem: Box::new(problem) }
     }
+
+    /// The kind of failure, where the system could not open or read the file.
+    pub fn io_kind(&self) -> Option<io::ErrorKind> {
+        match &*self.problem {
+            ImageProblem::Io(error) => Some(error.kind()),
+            _ => None,
+        }
+    }
 }
 
 /// What is wrong with a file.
 #[derive(Debug, thiserror::Error)]
-pub(super) enum ImageProblem {
+pub(crate) enum ImageProblem {
     #[error("{0}")]
     Io(#[from] io::Error),
     #[error("longer than {0} bytes: not the JSON of a camera")]
@@ -32,6 +40,8 @@ pub(super) enum ImageProblem {
     Png(#[from] png::DecodingError),
     #[error("has {found} pixels; at most {most} are read")]
     TooLarge { found: u64, most: u64 },
+    #[error("expected {size:?} pixels as in its header, found only {file_bytes} bytes in all")]
+    CutShort { size: [u32; 2], file_bytes: u64 },
     #[error("expected a depth map of 16 bits a pixel and one channel, found {0}")]
     NotDepth(String),
     #[error("expected {expected:?} pixels as in {of}, found {found:?}")]

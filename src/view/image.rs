@@ -11,6 +11,9 @@ use super::error::ImageProblem;
 /// Most pixels that are read: 64 million are more than any depth camera has.
 const PIXELS: u64 = 1 << 26;
 
+/// Most bytes that one byte of deflated data can stand for (zlib's documentation).
+const DEFLATE_RATIO: u64 = 1032;
+
 /// Bytes that the decoder may use besides the pixels.
 const DECODER_BYTES: usize = 1 << 26;
 
@@ -34,12 +37,18 @@ pub(super) struct Pixels {
 /// The pixels of a PNG file, transformed.
 pub(super) fn read_png(path: &Path, change: Transformations) -> Result<Pixels, ImageProblem> {
     let limits = Limits { bytes: DECODER_BYTES };
-    let mut decoder = Decoder::new_with_limits(BufReader::new(File::open(path)?), limits);
+    let file = File::open(path)?;
+    let file_bytes = file.metadata()?.len();
+    let mut decoder = Decoder::new_with_limits(BufReader::new(file), limits);
     decoder.set_transformations(change);
     let header = decoder.read_header_info()?;
     let found = u64::from(header.width) * u64::from(header.height);
     if found > PIXELS {
         return Err(ImageProblem::TooLarge { found, most: PIXELS });
+    }
+    // A header that promises more than the file can hold takes no memory for it.
+    if header.raw_bytes() as u64 > DEFLATE_RATIO.saturating_mul(file_bytes) {
+        return Err(ImageProblem::CutShort { size: [header.width, header.height], file_bytes });
     }
     let mut reader = decoder.read_info()?;
     let length = reader.output_buffer_size().unwrap_or(usize::MAX);

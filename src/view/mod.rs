@@ -1,14 +1,22 @@
 //! What a camera sees: cameras, depth maps, and what lies around an object in them.
 
 mod camera;
+mod contour;
 mod depth_map;
+mod distortion;
 mod error;
 mod image;
 mod mask;
+mod projection;
+mod rim;
 mod table;
 
 pub use camera::Camera;
+pub use contour::Contour;
 pub use depth_map::DepthMap;
+pub use distortion::Distortion;
 pub use error::ImageError;
 pub use mask::Mask;
+pub use projection::{OrthographicCamera, Projection, model_in_camera};
+pub use rim::{RimError, Viewpoint, orthographic_rim_meridians, orthographic_rim_point, rim};
 pub use table::{find_plane, points_above};

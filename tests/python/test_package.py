@@ -44,7 +44,15 @@ def test_public_names_are_documented_and_say_where_they_are(name):
 
 
 def test_exceptions_are_value_errors_with_one_base():
-    names = ["ArrayError", "BatchError", "CloudError", "DocumentError", "FitError", "ModelError"]
+    names = [
+        "ArrayError",
+        "BatchError",
+        "CloudError",
+        "DocumentError",
+        "FitError",
+        "ImageError",
+        "ModelError",
+    ]
     for name in names:
         error = getattr(superquadric, name)
         assert issubclass(error, superquadric.SuperquadricError)
@@ -52,6 +60,12 @@ def test_exceptions_are_value_errors_with_one_base():
 
 
 def test_members_are_documented():
-    for kind in [superquadric.Superellipsoid, superquadric.Fit, superquadric.Score]:
+    for kind in [
+        superquadric.Camera,
+        superquadric.DepthMap,
+        superquadric.Fit,
+        superquadric.Score,
+        superquadric.Superellipsoid,
+    ]:
         for name, member in vars(kind).items():
             assert name.startswith("_") or member.__doc__, f"{kind.__name__}.{name}"

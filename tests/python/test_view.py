@@ -1,0 +1,90 @@
+"""Cameras and depth maps."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import superquadric
+
+RGBD = Path(__file__).parents[3] / "shared" / "data" / "rgbd"
+
+LENS = [-0.28, 0.07, 1e-3, -5e-4, 0.01, 0.02, -0.03, 0.04]
+
+
+@pytest.fixture
+def camera():
+    return superquadric.Camera(600, 610.5, 319.5, 239.5, 640, 480, distortion=LENS)
+
+
+@pytest.fixture
+def rgbd():
+    if not RGBD.is_dir():
+        pytest.skip(f"{RGBD} is absent")
+    return RGBD
+
+
+def test_projection_is_opencvs(camera):
+    cv2 = pytest.importorskip("cv2")
+    points = np.random.default_rng(0).uniform([-0.4, -0.3, 1], [0.4, 0.3, 2], size=(100, 3))
+    matrix = np.array([[600, 0, 319.5], [0, 610.5, 239.5], [0, 0, 1]])
+    expected, _ = cv2.projectPoints(points, np.zeros(3), np.zeros(3), matrix, np.array(LENS))
+    pixels = camera.project(points)
+    np.testing.assert_allclose(pixels, expected[:, 0], rtol=0, atol=1e-9)
+    np.testing.assert_allclose(camera.rays(pixels), points / points[:, 2:], rtol=0, atol=1e-9)
+
+
+def test_what_no_camera_sees_is_not_a_number(camera):
+    assert np.isnan(camera.project([[0, 0, -1], [0, 0, 0], [np.nan, 0, 1]])).all()
+    assert camera.project(np.empty((0, 3))).shape == (0, 2)
+
+
+def test_a_camera_comes_from_its_file(tmp_path):
+    path = tmp_path / "camera.json"
+    numbers = {"fx": 600, "fy": 610.5, "cx": 319.5, "cy": 239.5, "width": 640, "height": 480}
+    path.write_text(json.dumps({**numbers, "depth_units_m": 0.001, "distortion": LENS}))
+    camera = superquadric.Camera.load(path)
+    assert camera == superquadric.Camera(**numbers, distortion=LENS, depth_unit=0.001)
+    assert {key: getattr(camera, key) for key in numbers} == numbers
+    assert list(camera.distortion) == LENS
+    path.write_text("{}")
+    with pytest.raises(superquadric.ImageError, match=r"camera\.json.*fx"):
+        superquadric.Camera.load(path)
+    with pytest.raises(FileNotFoundError, match=r"none\.json"):
+        superquadric.Camera.load(tmp_path / "none.json")
+
+
+def test_what_is_no_camera_is_refused():
+    with pytest.raises(superquadric.ModelError, match="fx"):
+        superquadric.Camera(0, 1, 0, 0, 2, 2)
+    with pytest.raises(superquadric.ModelError, match="k1 k2"):
+        superquadric.Camera(1, 1, 0, 0, 2, 2, distortion=[1, 2])
+
+
+def test_depth_maps_are_read_with_camera_and_mask(rgbd):
+    camera = superquadric.Camera.load(rgbd / "intrinsics.json")
+    depth, mask = rgbd / "sugar_depth.png", rgbd / "sugar_mask.png"
+    image = superquadric.read_depth(depth, rgbd / "intrinsics.json", mask=mask)
+    assert image.camera == camera
+    assert image.depth.shape == (480, 640)
+    points = image.object_points()
+    pixels = camera.project(points)
+    np.testing.assert_allclose(pixels, np.rint(pixels), rtol=0, atol=1e-9)
+    columns, rows = np.rint(pixels).astype(int).T
+    np.testing.assert_array_equal(image.depth[rows, columns], points[:, 2])
+    assert len(image.surroundings()) > len(points) / 2
+
+    whole = superquadric.read_depth(depth, camera, depth_unit=1e-3)
+    assert len(whole.object_points()) == np.count_nonzero(image.depth)
+    np.testing.assert_allclose(whole.depth, 10 * image.depth)
+    assert whole.surroundings().shape == (0, 3)
+
+
+def test_what_is_no_depth_map_is_refused(rgbd):
+    with pytest.raises(superquadric.ImageError, match=r"sugar_mask\.png.*16 bits"):
+        superquadric.read_depth(rgbd / "sugar_mask.png", rgbd / "intrinsics.json")
+    with pytest.raises(FileNotFoundError, match=r"none\.png"):
+        superquadric.read_depth(rgbd / "none.png", rgbd / "intrinsics.json")
+    with pytest.raises(TypeError):
+        superquadric.read_depth(rgbd / "sugar_mask.png", 3)
