@@ -3,8 +3,9 @@
 use nalgebra::{Vector2, Vector3};
 
 use super::projection::Projection;
-use super::rim::{RimError, Sample, Tangents, refine};
+use super::rim::{RimError, Sample, Tangents, Touch, refine};
 use crate::model::Model;
+use crate::pose::Pose;
 
 /// Most pixels by which the polygon may be off the contour.
 const TOLERANCE: f64 = 0.01;
@@ -13,7 +14,7 @@ const TOLERANCE: f64 = 0.01;
 const RELATIVE_TOLERANCE: f64 = 1e-4;
 
 /// Neighbours so near, in tolerances, are told apart no more.
-const NEAREST: f64 = 1e-3;
+const NEAREST: f64 = 0.05;
 
 /// The outline of a solid in an image, as a closed polygon.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,7 +45,7 @@ impl Contour {
     pub fn of(model_camera: &Model, camera: &impl Projection) -> Result<Self, RimError> {
         let viewpoint = camera.viewpoint(&model_camera.pose);
         let tangents = Tangents::new(&model_camera.shape, &viewpoint)?;
-        let see = |theta: f64| see(model_camera, camera, &tangents.point(theta));
+        let see = |theta: f64| see(&model_camera.pose, camera, &tangents.touch(theta));
         let coarse = refine(see, |_, _| false)?;
         let tolerance = TOLERANCE.min(RELATIVE_TOLERANCE * extent(&coarse));
         let fine = refine(see, |a, b| is_coarse(a, b, camera, tolerance))?;
@@ -85,18 +86,17 @@ impl Contour {
     }
 }
 
-/// A point of the rim, in the model's frame, as the camera sees it.
+/// A point of the rim as the camera sees it.
 fn see(
-    model_camera: &Model,
+    camera_from_model: &Pose,
     camera: &impl Projection,
-    x_model: &Vector3<f64>,
+    touch: &Touch,
 ) -> Result<Seen, RimError> {
-    let pose = &model_camera.pose;
-    let x_camera = pose.world_from_model(x_model);
+    let x_camera = camera_from_model.world_from_model(&touch.point);
     let undistorted = camera.project_undistorted(&x_camera).ok_or(RimError::Behind)?;
     let pixel = camera.distort(undistorted).ok_or(RimError::BeyondLens)?;
     // The plane that touches the solid here holds the line of sight, and is seen as a line.
-    let normal = pose.rotation() * model_camera.shape.gauge_gradient(x_model);
+    let normal = camera_from_model.rotation() * touch.normal;
     let [fx, fy] = camera.focal_lengths();
     let tangent = Vector2::new(-normal.y / fy, normal.x / fx);
     let tangent = tangent.try_normalize(0.0).unwrap_or_default();

@@ -9,7 +9,7 @@ use thiserror::Error;
 
 pub use closed_form::{orthographic_rim_meridians, orthographic_rim_point};
 pub(super) use refine::{Sample, refine};
-pub(super) use tangent::Tangents;
+pub(super) use tangent::{Tangents, Touch};
 
 use crate::shape::Superellipsoid;
 

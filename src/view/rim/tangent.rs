@@ -66,22 +66,44 @@ impl Tangents {
         Ok(Self { unit_shape, size, towards, sides: [first, towards.cross(&first)], nearness })
     }
 
-    /// The point of the rim in the half-plane at an angle in radians.
-    pub fn point(&self, theta: f64) -> Vector3<f64> {
+    /// The touching line of sight in the half-plane at an angle in radians.
+    pub fn touch(&self, theta: f64) -> Touch {
         let (sin_theta, cos_theta) = theta.sin_cos();
         let side = cos_theta * self.sides[0] + sin_theta * self.sides[1];
         let direction = |phi: f64| phi.cos() * self.towards + phi.sin() * side;
-        let faces_camera = |phi: f64| {
-            self.unit_shape.gauge_gradient(&direction(phi)).dot(&self.towards) > self.nearness
-        };
+        let gradient = |phi: f64| self.unit_shape.gauge_gradient(&direction(phi));
+        // How far the surface faces the camera.
+        let facing = |gradient: &Vector3<f64>| gradient.dot(&self.towards) - self.nearness;
         let (mut low, mut high) = (0.0, PI);
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
             if middle <= low || middle >= high {
                 break;
             }
-            if faces_camera(middle) { low = middle } else { high = middle }
+            if facing(&gradient(middle)) > 0.0 { low = middle } else { high = middle }
         }
-        self.unit_shape.radial_projection(&direction(high)).component_mul(&self.size)
+        // Where the surface is all but an edge, no digit of phi is left to tell the normals of its
+        // two sides apart: the one between them whose plane holds the line of sight is it.
+        let (before, behind) = (gradient(low), gradient(high));
+        let (facing_before, facing_behind) = (facing(&before), facing(&behind));
+        let fall = facing_before - facing_behind;
+        let share = if fall > 0.0 { (facing_before / fall).clamp(0.0, 1.0) } else { 0.0 };
+        Touch {
+            point: self.unit_shape.radial_projection(&direction(high)).component_mul(&self.size),
+            normal: before.lerp(&behind, share).component_div(&self.size),
+        }
     }
+
+    /// The point of the rim in the half-plane at an angle in radians.
+    pub fn point(&self, theta: f64) -> Vector3<f64> {
+        self.touch(theta).point
+    }
+}
+
+/// Where a line of sight touches a solid.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::view) struct Touch {
+    pub point: Vector3<f64>,
+    /// The normal of a plane that touches the solid there and holds the line of sight.
+    pub normal: Vector3<f64>,
 }
