@@ -93,6 +93,12 @@ impl Pose {
         [m[(1, 2)].atan2(m[(0, 2)]), theta, m[(2, 1)].atan2(-m[(2, 0)])]
     }
 
+    /// The motion back.
+    pub fn inverse(&self) -> Self {
+        let rotation = self.rotation.inverse();
+        Self::new(rotation, -(rotation * self.translation))
+    }
+
     /// A point of the model's frame, in the world.
     pub fn world_from_model(&self, x_model: &Vector3<f64>) -> Vector3<f64> {
         self.rotation * x_model + self.translation

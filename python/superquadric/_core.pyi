@@ -12,6 +12,7 @@ __all__ = [
     "BatchError",
     "Camera",
     "CloudError",
+    "Contour",
     "DepthMap",
     "DocumentError",
     "Fit",
@@ -21,11 +22,14 @@ __all__ = [
     "Score",
     "Superellipsoid",
     "SuperquadricError",
+    "ViewError",
     "__version__",
     "_evaluate_suite",
+    "contour",
     "fit",
     "read",
     "read_depth",
+    "rim",
     "score",
 ]
 
@@ -38,6 +42,7 @@ class CloudError(SuperquadricError): ...
 class DocumentError(SuperquadricError): ...
 class FitError(SuperquadricError): ...
 class ImageError(SuperquadricError): ...
+class ViewError(SuperquadricError): ...
 class ModelError(SuperquadricError): ...
 
 @final
@@ -200,6 +205,17 @@ class Camera:
     def __ne__(self, other: object, /) -> bool: ...
 
 @final
+class Contour:
+    @property
+    def polygon(self) -> NDArray[np.float64]: ...
+    @property
+    def rim(self) -> NDArray[np.float64]: ...
+    @property
+    def area(self) -> float: ...
+    @property
+    def bounding_box(self) -> NDArray[np.float64]: ...
+
+@final
 class DepthMap:
     @property
     def camera(self) -> Camera: ...
@@ -222,6 +238,7 @@ def _evaluate_suite(
     threads: int | None = None,
     on_scene: Callable[[int, int], object] | None = None,
 ) -> None: ...
+def contour(model: Superellipsoid | Fit, camera: Camera) -> Contour: ...
 def fit(
     points: ArrayLike,
     *,
@@ -252,6 +269,14 @@ def read_depth(
     mask: str | os.PathLike[str] | None = None,
     depth_unit: float | None = None,
 ) -> DepthMap: ...
+@overload
+def rim(
+    model: Superellipsoid | Fit, *, centre: ArrayLike, direction: None = None, n: int = 200
+) -> NDArray[np.float64]: ...
+@overload
+def rim(
+    model: Superellipsoid | Fit, *, centre: None = None, direction: ArrayLike, n: int = 200
+) -> NDArray[np.float64]: ...
 def score(
     truth: Superellipsoid | Fit,
     found: Superellipsoid | Fit,

@@ -11,7 +11,7 @@ use crate::output::OutputError;
 use crate::recover::FitError;
 use crate::report::DocumentError;
 use crate::surface::format::UnknownMeshFormat;
-use crate::view::ImageError;
+use crate::view::{ImageError, RimError, UnknownContourFormat};
 
 /// Why a command has failed.
 #[derive(Debug, Error)]
@@ -38,6 +38,10 @@ pub(super) enum CliError {
     Folder { folder: PathBuf, source: io::Error },
     #[error("{}: another file of that name comes before it, and results are named after files", .0.display())]
     SameName(PathBuf),
+    #[error("{name}: {source}")]
+    Rim { name: String, source: RimError },
+    #[error(transparent)]
+    ContourFormat(#[from] UnknownContourFormat),
     #[error(transparent)]
     MeshFormat(#[from] UnknownMeshFormat),
     #[error(transparent)]

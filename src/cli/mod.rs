@@ -4,6 +4,7 @@
 mod args;
 mod batch;
 mod completions;
+mod contour;
 mod error;
 mod fit;
 mod fit_many;
@@ -47,6 +48,7 @@ fn run(command: Command) -> Result<u8, CliError> {
         Command::Fit(args) => fit::run(&args),
         Command::Mesh(args) => mesh::run(&args),
         Command::Info(args) => info::run(&args),
+        Command::Contour(args) => contour::run(&args),
         Command::Batch(args) => batch::run(&args),
         Command::Completions(args) => completions::run(&args),
     }

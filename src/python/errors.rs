@@ -55,6 +55,12 @@ create_exception!(
 );
 create_exception!(
     superquadric,
+    ViewError,
+    SuperquadricError,
+    "A view in which a model has no outline."
+);
+create_exception!(
+    superquadric,
     BatchError,
     SuperquadricError,
     "A suite that cannot be evaluated, or results of another one."

@@ -2,6 +2,7 @@
 
 mod arrays;
 mod batch;
+mod contour;
 mod errors;
 mod fit;
 mod interrupt;
@@ -10,6 +11,7 @@ mod model;
 mod pose;
 mod read;
 mod score;
+mod solid;
 mod view;
 
 use pyo3::prelude::*;
@@ -20,9 +22,11 @@ mod core {
     #[pymodule_export]
     use super::batch::evaluate_suite;
     #[pymodule_export]
+    use super::contour::{PyContour, contour, rim};
+    #[pymodule_export]
     use super::errors::{
         ArrayError, BatchError, CloudError, DocumentError, FitError, ImageError, ModelError,
-        SuperquadricError,
+        SuperquadricError, ViewError,
     };
     #[pymodule_export]
     use super::fit::{PyFit, fit};

@@ -1,11 +1,9 @@
 //! `superquadric.score`: how far a recovered model is from the true one.
 
-use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
 use super::arrays::{point_cloud, require_room};
-use super::fit::PyFit;
-use super::model::PyModel;
+use super::solid::model_of;
 use crate::cloud::PointCloud;
 use crate::compare::{
     SurfaceDistance, VolumeOverlap, rotation_error, size_error, surface_distance, volume_overlap,
@@ -45,18 +43,6 @@ pub(super) fn score(
         size_error: size_error(&truth, &found),
         rotation_error: rotation_error(&truth, &found),
     }))
-}
-
-/// A model, or that of a fit.
-fn model_of(value: &Bound<'_, PyAny>) -> PyResult<Model> {
-    if let Ok(model) = value.cast::<PyModel>() {
-        return Ok(model.get().0);
-    }
-    if let Ok(fit) = value.cast::<PyFit>() {
-        return Ok(*fit.get().model());
-    }
-    let found = value.get_type().name()?;
-    Err(PyTypeError::new_err(format!("expected a Superellipsoid or a Fit, found {found}")))
 }
 
 /// Root mean square of the radial distances of points; NaN without any.

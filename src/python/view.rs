@@ -46,13 +46,14 @@ impl PyCamera {
         depth_unit: Option<f64>,
     ) -> PyResult<Self> {
         let distortion = Distortion::new(&distortion.unwrap_or_default());
-        let distortion = distortion.map_err(ModelError::new_err)?;
+        let distortion =
+            distortion.map_err(|problem| ModelError::new_err(format!("expected {problem}")))?;
         let camera = Camera { fx, fy, cx, cy, width, height, depth_unit, distortion };
         Ok(Self(camera.checked().map_err(|error| ModelError::new_err(error.to_string()))?))
     }
 
-    /// The camera in a JSON file with `fx fy cx cy width height` and, if there are any,
-    /// `depth_units_m` and `distortion`.
+    /// The camera in a file: OpenCV's or ROS's calibration in YAML, ROS's `camera_info`, or JSON
+    /// with `fx fy cx cy width height` and, if there are any, `depth_units_m` and `distortion`.
     ///
     /// Raises:
     ///     ImageError: if the file holds no camera.
@@ -141,7 +142,7 @@ impl PyCamera {
 ///
 /// Args:
 ///     path: the depth map.
-///     camera: the camera, or its JSON file.
+///     camera: the camera, or its file.
 ///     mask: a PNG image that is not 0 where the object is; without it all is the object.
 ///     depth_unit: metres to a count; by default the camera's.
 ///

@@ -5,6 +5,7 @@ use std::path::Path;
 use nalgebra::Vector3;
 use serde::Deserialize;
 
+use super::camera_file;
 use super::distortion::Distortion;
 use super::error::{ImageError, ImageProblem};
 
@@ -36,7 +37,7 @@ pub struct Camera {
 }
 
 impl Camera {
-    /// Reads a camera from JSON, `{"fx": .., "fy": .., "cx": .., "cy": .., "width": .., "height":
+    /// Reads a camera from OpenCV's or ROS's calibration in YAML, ROS's `camera_info`, or JSON, `{"fx": .., "fy": .., "cx": .., "cy": .., "width": .., "height":
     /// .., "depth_units_m": .., "distortion": [k1, k2, p1, p2, ..]}`, the last two of which may be
     /// missing; other keys are left alone.
     ///
@@ -46,8 +47,7 @@ impl Camera {
         let path = path.as_ref();
         let read = || {
             let bytes = super::image::read_bytes(path, DOCUMENT_BYTES)?;
-            let camera: Self = serde_json::from_slice(&bytes).map_err(ImageProblem::Camera)?;
-            camera.checked()
+            camera_file::parse(&bytes)
         };
         read().map_err(|problem| ImageError::new(path, problem))
     }

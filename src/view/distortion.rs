@@ -60,18 +60,16 @@ impl Distortion {
         let count = coefficients.len();
         if !matches!(count, 0 | 4 | 5 | 8 | 12 | 14) {
             return Err(format!(
-                "expected distortion coefficients k1 k2 p1 p2 [k3 [k4 k5 k6]], found {count} numbers"
+                "distortion coefficients k1 k2 p1 p2 [k3 [k4 k5 k6]], found {count} numbers"
             ));
         }
         if let Some(value) = coefficients.iter().find(|value| !value.is_finite()) {
-            return Err(format!("expected finite distortion coefficients, found {value}"));
+            return Err(format!("finite distortion coefficients, found {value}"));
         }
         if coefficients.iter().skip(8).any(|value| *value != 0.0) {
-            return Err(
-                "expected 0 for the distortion of thin prisms and tilted sensors, which is \
+            return Err("0 for the distortion of thin prisms and tilted sensors, which is \
                         not modelled"
-                    .to_owned(),
-            );
+                .to_owned());
         }
         let of = |k| coefficients.get(k).copied().unwrap_or(0.0);
         let mut distortion = Self { coefficients: std::array::from_fn(of), fold: f64::INFINITY };

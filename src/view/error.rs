@@ -30,10 +30,20 @@ impl ImageError {
 pub(crate) enum ImageProblem {
     #[error("{0}")]
     Io(#[from] io::Error),
-    #[error("longer than {0} bytes: not the JSON of a camera")]
+    #[error("longer than {0} bytes: not the file of a camera")]
     TooLong(u64),
-    #[error("expected the JSON of a camera: {0}")]
+    #[error("expected a camera: {0}")]
     Camera(serde_json::Error),
+    #[error("expected a camera in JSON or YAML: {0}")]
+    CameraYaml(String),
+    #[error("expected {0}")]
+    CameraModel(String),
+    #[error("expected the JSON of a camera's pose: {0}")]
+    Extrinsics(serde_json::Error),
+    #[error("expected either camera_from_world or world_from_camera")]
+    NoExtrinsics,
+    #[error("{key}: expected 3 or 4 rows [R | t] of a rigid motion, found {found}")]
+    Motion { key: &'static str, found: String },
     #[error("expected a {}{key}, found {value}", if matches!(*key, "cx" | "cy") { "finite " } else { "positive " })]
     CameraNumber { key: &'static str, value: f64 },
     #[error("expected a PNG image: {0}")]

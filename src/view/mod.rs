@@ -1,10 +1,13 @@
 //! What a camera sees: cameras, depth maps, and what lies around an object in them.
 
 mod camera;
+mod camera_file;
 mod contour;
+mod contour_document;
 mod depth_map;
 mod distortion;
 mod error;
+mod extrinsics;
 mod image;
 mod mask;
 mod projection;
@@ -13,9 +16,11 @@ mod table;
 
 pub use camera::Camera;
 pub use contour::Contour;
+pub use contour_document::{ContourFormat, UnknownContourFormat};
 pub use depth_map::DepthMap;
 pub use distortion::Distortion;
 pub use error::ImageError;
+pub use extrinsics::read_camera_from_world;
 pub use mask::Mask;
 pub use projection::{OrthographicCamera, Projection, model_in_camera};
 pub use rim::{RimError, Viewpoint, orthographic_rim_meridians, orthographic_rim_point, rim};

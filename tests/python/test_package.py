@@ -52,6 +52,7 @@ def test_exceptions_are_value_errors_with_one_base():
         "FitError",
         "ImageError",
         "ModelError",
+        "ViewError",
     ]
     for name in names:
         error = getattr(superquadric, name)
@@ -62,6 +63,7 @@ def test_exceptions_are_value_errors_with_one_base():
 def test_members_are_documented():
     for kind in [
         superquadric.Camera,
+        superquadric.Contour,
         superquadric.DepthMap,
         superquadric.Fit,
         superquadric.Score,

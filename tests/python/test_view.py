@@ -88,3 +88,71 @@ def test_what_is_no_depth_map_is_refused(rgbd):
         superquadric.read_depth(rgbd / "none.png", rgbd / "intrinsics.json")
     with pytest.raises(TypeError):
         superquadric.read_depth(rgbd / "sugar_mask.png", 3)
+
+
+def square_camera(side=400, focal=500.0):
+    middle = (side - 1) / 2
+    return superquadric.Camera(focal, focal, middle, middle, side, side)
+
+
+def test_contour_is_found_by_opencv_in_a_mask_cast_by_open3d():
+    cv2, open3d = pytest.importorskip("cv2"), pytest.importorskip("open3d")
+    random = np.random.default_rng(3)
+    camera = square_camera()
+    for _ in range(20):
+        model = superquadric.Superellipsoid(
+            random.uniform(0.1, 0.4, 3),
+            random.uniform(0.1, 1.9, 2),
+            euler_zyz=random.uniform(-3, 3, 3),
+            translation=[*random.uniform(-0.1, 0.1, 2), 1.5],
+        )
+        vertices, triangles = model.mesh(200)
+        scene = open3d.t.geometry.RaycastingScene()
+        scene.add_triangles(vertices.astype(np.float32), triangles)
+        u, v = np.meshgrid(np.arange(400), np.arange(400))
+        rays = camera.rays(np.stack([u.ravel(), v.ravel()], axis=-1))
+        rays = np.concatenate([np.zeros_like(rays), rays], axis=-1).astype(np.float32)
+        hits = np.isfinite(scene.cast_rays(rays)["t_hit"].numpy()).reshape(400, 400)
+        found, _ = cv2.findContours(hits.astype(np.uint8), cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
+        contour = superquadric.contour(model, camera)
+        polygon = contour.polygon.astype(np.float32)
+        edge = np.concatenate(found).reshape(-1, 2).astype(np.float64)
+        distances = [cv2.pointPolygonTest(polygon, pixel, True) for pixel in edge.tolist()]
+        # Pixels of the mask, so within the polygon, but nearer than a pixel to its edge.
+        assert min(distances) > -0.1
+        assert max(distances) <= 1.0
+        assert contour.area == pytest.approx(hits.sum(), abs=len(edge))
+        (low, high), box = contour.bounding_box, cv2.boundingRect(hits.astype(np.uint8))
+        assert (low < np.add(box[:2], 0.1)).all()
+        assert (high > np.add(box[:2], box[2:]) - 1.1).all()
+
+
+def test_contour_is_the_image_of_its_rim():
+    camera = square_camera()
+    model = superquadric.Superellipsoid([0.1, 0.2, 0.3], [0.2, 1.5], translation=[0, 0, 2])
+    contour = superquadric.contour(model, camera)
+    np.testing.assert_allclose(camera.project(contour.rim), contour.polygon, atol=1e-9)
+    np.testing.assert_allclose(model.gauge(contour.rim), 1, atol=1e-13)
+    with pytest.raises(superquadric.ViewError, match="not outside"):
+        superquadric.contour(superquadric.Superellipsoid([1, 1, 1], [1, 1]), camera)
+    with pytest.raises(TypeError):
+        superquadric.contour("model", camera)
+
+
+def test_rim_is_where_lines_of_sight_touch():
+    model = superquadric.Superellipsoid(
+        [1, 2, 3], [0.7, 1.2], euler_zyz=[0.1, 0.2, 0.3], translation=[5, 6, 7]
+    )
+    centre = np.array([0.0, 1.0, -3.0])
+    rim = superquadric.rim(model, centre=centre, n=50)
+    assert rim.shape == (50, 3)
+    np.testing.assert_allclose(model.gauge(rim), 1, atol=1e-13)
+    assert (model.gauge(rim + 1e-3 * (rim - centre)) > 1).all()
+    assert (model.gauge(rim - 1e-3 * (rim - centre)) > 1).all()
+    flat = superquadric.rim(model, direction=[0, 0, 1], n=50)
+    assert (model.gauge(flat + np.array([0, 0, 1e-3])) > 1).all()
+    for arguments in [{}, {"centre": centre, "direction": centre}]:
+        with pytest.raises(TypeError, match="either centre or direction"):
+            superquadric.rim(model, **arguments)
+    with pytest.raises(superquadric.ViewError):
+        superquadric.rim(model, centre=[5, 6, 7])

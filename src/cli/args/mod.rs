@@ -4,12 +4,14 @@ mod fit;
 mod parse;
 mod sensor;
 mod shape;
+mod view;
 
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 pub(super) use fit::FitArgs;
 pub(super) use sensor::{SensorArgs, SupportArg};
+pub(super) use view::{ContourArgs, ViewArgs};
 
 use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
@@ -33,6 +35,7 @@ Examples:
   superquadric fit - -o - < cloud.xyz              from stdin, JSON to stdout
   superquadric mesh fit.json -o shape.stl
   superquadric info fit.json
+  superquadric contour fit.json --camera camera.json -o outline.svg
 
 Exit codes:
   0  done
@@ -50,6 +53,7 @@ pub(super) enum Command {
     Fit(Box<FitArgs>),
     Mesh(MeshArgs),
     Info(InfoArgs),
+    Contour(ContourArgs),
     Batch(BatchArgs),
     Completions(CompletionsArgs),
 }

@@ -1,0 +1,32 @@
+//! What a camera looks at.
+
+use std::path::PathBuf;
+
+/// A model, a camera, and how they stand to each other.
+#[derive(Debug, clap::Args)]
+pub(in crate::cli) struct ViewArgs {
+    /// A fit or a bare model in JSON, in the camera's frame (x right, y down, z forward) unless
+    /// --pose tells another; - is stdin.
+    pub model: PathBuf,
+    /// Intrinsics: JSON with fx, fy, cx, cy, width, height and distortion, OpenCV's or ROS's
+    /// calibration in YAML, or ROS's camera_info.
+    #[arg(long, value_name = "CAM")]
+    pub camera: PathBuf,
+    /// The model is in the world's frame: JSON with camera_from_world or world_from_camera, rows
+    /// [R | t], such as a scene's truth.json.
+    #[arg(long, value_name = "POSE.json")]
+    pub pose: Option<PathBuf>,
+}
+
+/// Write the outline of a model as a camera sees it.
+///
+/// JSON has closed polygons of [column, row] in pixels, pixel centres at integers, the rim in the
+/// camera's frame, area and bounding box; SVG is to be laid over the image.
+#[derive(Debug, clap::Args)]
+pub(in crate::cli) struct ContourArgs {
+    #[command(flatten)]
+    pub view: ViewArgs,
+    /// File to write: .json or .svg; - is stdout, for JSON.
+    #[arg(short, long, value_name = "CONTOUR")]
+    pub output: PathBuf,
+}

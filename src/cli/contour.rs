@@ -1,0 +1,32 @@
+//! `superquadric contour`: a model and a camera in, the outline out.
+
+use super::DONE;
+use super::args::{ContourArgs, ViewArgs};
+use super::error::CliError;
+use super::input::{is_stream, name, read_model};
+use super::output::write_text;
+use crate::model::Model;
+use crate::view::{Camera, Contour, ContourFormat, model_in_camera, read_camera_from_world};
+
+pub(super) fn run(args: &ContourArgs) -> Result<u8, CliError> {
+    let format = match is_stream(&args.output) {
+        true => ContourFormat::Json,
+        false => ContourFormat::from_extension(&args.output)?,
+    };
+    let (model_camera, camera) = read_view(&args.view)?;
+    let contour = Contour::of(&model_camera, &camera)
+        .map_err(|source| CliError::Rim { name: name(&args.view.model), source })?;
+    write_text(&args.output, &format.text(&contour, [camera.width, camera.height]))?;
+    Ok(DONE)
+}
+
+/// The model in the camera's frame, and the camera.
+pub(super) fn read_view(args: &ViewArgs) -> Result<(Model, Camera), CliError> {
+    let model = read_model(&args.model)?;
+    let camera = Camera::read(&args.camera)?;
+    let model_camera = match &args.pose {
+        Some(pose) => model_in_camera(&read_camera_from_world(pose)?, &model),
+        None => model,
+    };
+    Ok((model_camera, camera))
+}
