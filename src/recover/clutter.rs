@@ -13,6 +13,7 @@
 use std::f64::consts::{LN_2, PI};
 
 use super::neighbours::{NEIGHBOUR, Neighbourhood};
+use super::radial::PARAMETERS;
 use crate::cloud::PointColumns;
 
 /// The shape k of the Gamma variates.
@@ -31,13 +32,20 @@ const ODDS_BOUNDS: [f64; 2] = [0.02, 50.0];
 /// Least share of either population while it is estimated.
 const LEAST_SHARE: f64 = 1e-6;
 
-/// Variation of the neighbours at which they lie in a plane or are strewn in space, equally
-/// likely, and the difference that makes one e times likelier.
+/// The share of the points that is the densest, and their variation above which it says nothing.
+const DENSEST_SHARE: f64 = 0.15;
+const GREATEST_OF_SURFACE: f64 = 0.09;
+
+/// Variation of the neighbours at which they are of a surface or strewn in space, equally likely,
+/// and the difference that makes one e times likelier.
 const MIDDLE_VARIATION: f64 = 0.06;
 const VARIATION_SCALE: f64 = 0.015;
 
 /// Reach, in that of the median point, up to which a point may have room to itself.
 const GREATEST_REACH: f64 = 4.0;
+
+/// Least points that make a surface.
+const LEAST_SURFACE: f64 = 2.0 * PARAMETERS as f64;
 
 /// Share of the points that is but a few, and the odds of a point that is far from all others to be
 /// of the surface.
@@ -66,12 +74,10 @@ impl Clutter {
         if populations.is_none() && !is_isolated.contains(&true) {
             return None;
         }
+        let of_variation = odds_of_variation(points, neighbourhoods, &reaches);
         let of = |i: usize| match &populations {
             _ if is_isolated[i] => ISOLATED_ODDS,
-            Some(populations) => {
-                let variation = neighbourhoods[i].variation(points);
-                populations.odds(reaches[i]) * odds_of_variation(variation)
-            }
+            Some(populations) => populations.odds(reaches[i]) * of_variation[i],
             None => 1.0,
         };
         let odds: Vec<f64> = (0..reaches.len()).map(of).collect();
@@ -81,8 +87,9 @@ impl Clutter {
         let kept: Vec<f64> =
             on_surface.iter().map(|&near| f64::from(u8::from(near > 0.5))).collect();
         let surface_area = seen_area(&reaches, &kept);
-        let is_any = kept.contains(&0.0);
-        is_any.then_some(Self { odds, share, surface_area, on_surface })
+        let surface = kept.iter().sum::<f64>();
+        let is_both = surface >= LEAST_SURFACE && surface < kept.len() as f64;
+        is_both.then_some(Self { odds, share, surface_area, on_surface })
     }
 
     /// Indices of the points that are of the surface more likely than not.
@@ -93,7 +100,7 @@ impl Clutter {
 
 /// Which points are far from all others, where these are but a few.
 fn isolated(reaches: &[f64]) -> Vec<bool> {
-    let most = GREATEST_REACH * median(reaches);
+    let most = GREATEST_REACH * quantile(reaches, 0.5);
     let is_far: Vec<bool> = reaches.iter().map(|&reach| reach > most).collect();
     let far = is_far.iter().filter(|is_far| **is_far).count();
     let are_few = (far as f64) < FEW * reaches.len() as f64;
@@ -113,28 +120,44 @@ fn posterior(odds: &[f64], mut share: f64) -> (f64, Vec<f64>) {
     (share, on_surface)
 }
 
-/// How much likelier neighbours of that variation are on a surface than in space.
-fn odds_of_variation(variation: f64) -> f64 {
+/// How much likelier neighbours that vary like each point's are on a surface than in space. Where
+/// points are nearer than their noise, those of a surface do not lie in planes either: then all
+/// are equally likely.
+fn odds_of_variation(
+    points: PointColumns,
+    neighbourhoods: &[Neighbourhood],
+    reaches: &[f64],
+) -> Vec<f64> {
     let [low, high] = ODDS_BOUNDS;
-    ((MIDDLE_VARIATION - variation) / VARIATION_SCALE).exp().clamp(low, high)
+    let variations: Vec<f64> = neighbourhoods.iter().map(|one| one.variation(points)).collect();
+    let densest = quantile(reaches, DENSEST_SHARE);
+    let dense = variations.iter().zip(reaches).filter(|(_, reach)| **reach <= densest);
+    let dense: Vec<f64> = dense.map(|(variation, _)| *variation).collect();
+    if quantile(&dense, 0.5) > GREATEST_OF_SURFACE {
+        return vec![1.0; variations.len()];
+    }
+    let odds =
+        |variation: &f64| ((MIDDLE_VARIATION - variation) / VARIATION_SCALE).exp().clamp(low, high);
+    variations.iter().map(odds).collect()
 }
 
 /// The area on which points lie: each has `pi D^2 / k` to itself, but none much more than most.
 pub(crate) fn seen_area(distances: &[f64], weights: &[f64]) -> f64 {
-    let most = GREATEST_REACH * median(distances);
+    let most = GREATEST_REACH * quantile(distances, 0.5);
     let room = |(distance, weight): (&f64, &f64)| weight * distance.min(most).powi(2);
     PI / SHAPE * distances.iter().zip(weights).map(room).sum::<f64>()
 }
 
-fn median(values: &[f64]) -> f64 {
+/// The value that this share of the values does not exceed.
+fn quantile(values: &[f64], share: f64) -> f64 {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);
-    sorted[sorted.len() / 2]
+    sorted[(share * sorted.len() as f64) as usize]
 }
 
 /// One for the points with the nearer neighbours, none for the others.
 fn nearer_half(distances: &[f64]) -> Vec<f64> {
-    let middle = median(distances);
+    let middle = quantile(distances, 0.5);
     distances.iter().map(|&distance| f64::from(u8::from(distance <= middle))).collect()
 }
 
