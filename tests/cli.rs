@@ -166,7 +166,7 @@ fn mesh_writes_every_format_and_refuses_others() {
 fn bad_input_names_the_file_and_the_place() {
     let folder = TempDir::new().unwrap();
     assert_refused(&run(&["fit", "no-such-file.ply"]), &["no-such-file.ply"]);
-    assert_refused(&run(&["fit", folder.path().to_str().unwrap()]), &["directory"]);
+    assert_refused(&run(&["fit", folder.path().to_str().unwrap()]), &["no files"]);
     assert_refused(&run_with_input(&["fit", "-"], b"1 2 3\n1 2\n"), &["stdin", "line 2"]);
     assert_refused(&run_with_input(&["fit", "-"], b"1 2 3\n"), &["stdin", "eleven"]);
     assert_refused(&run_with_input(&["info", "-"], b"{\"shape\": 1}"), &["stdin", "shape"]);
@@ -229,4 +229,65 @@ fn coincident_and_coplanar_clouds_of_the_corpus() {
     let coplanar = run(&["fit", &path("59_coplanar_points.ply")]);
     assert_eq!(coplanar.status.code(), Some(1));
     assert!(text(&coplanar.stdout).contains("one plane"));
+}
+
+#[test]
+fn several_clouds_and_folders_get_a_line_and_a_document_each() {
+    let folder = TempDir::new().expect("a folder");
+    let clouds = folder.path().join("clouds");
+    fs::create_dir(&clouds).expect("a folder");
+    for name in ["b.ply", "a.ply"] {
+        fs::copy(SAMPLE, clouds.join(name)).expect("a copy");
+    }
+    fs::write(clouds.join("notes.md"), "no cloud").expect("a file");
+    let results = in_folder(&folder, "results");
+    let clouds = clouds.display().to_string();
+    let output = run(&["fit", &clouds, SAMPLE, "-o", &results]);
+    assert_done(&output);
+    let lines = text(&output.stdout);
+    let names: Vec<&str> = lines.lines().filter_map(|line| line.split("  ").next()).collect();
+    assert_eq!(names, [format!("{clouds}/a.ply"), format!("{clouds}/b.ply"), SAMPLE.to_owned()]);
+    let written = |name: &str| {
+        let json = fs::read_to_string(Path::new(&results).join(name)).expect("a document");
+        serde_json::from_str::<Value>(&json).expect("JSON")
+    };
+    assert_eq!(written("a.ply.json")["model"], written("one_sided_view.ply.json")["model"]);
+
+    // One that cannot be read does not keep the others from being fitted.
+    let output = run(&["fit", SAMPLE, &in_folder(&folder, "nothing.ply")]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stdout).contains("trusted"));
+    assert!(text(&output.stderr).contains("nothing.ply"));
+
+    let empty = folder.path().join("empty");
+    fs::create_dir(&empty).expect("a folder");
+    assert_refused(&run(&["fit", &empty.display().to_string()]), &["empty", "ply"]);
+    assert_refused(&run(&["fit", SAMPLE, SAMPLE]), &["one_sided_view.ply"]);
+    assert_refused(&run(&["fit", &clouds, "--mesh", "m.ply"]), &["--mesh"]);
+}
+
+#[test]
+fn what_is_known_of_the_shape_is_kept() {
+    let output = run(&["fit", SAMPLE, "-o", "-", "--fix", "a1=0.1", "--exponent-range", "0.2,0.6"]);
+    assert_done(&output);
+    let fit: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let size = fit["model"]["shape"]["size"][0].as_f64().expect("a number");
+    assert!((size / 0.1 - 1.0).abs() < 1e-12);
+    for wrong in [["--fix", "a9=1"], ["--fix", "a1"], ["--size-range", "3"], ["--support", "1,2"]] {
+        let output = run(&["fit", SAMPLE, wrong[0], wrong[1]]);
+        assert_eq!(output.status.code(), Some(2), "{wrong:?}");
+        assert!(text(&output.stderr).contains("expected"), "{wrong:?}");
+    }
+    assert_refused(&run(&["fit", SAMPLE, "--fix", "e1=9"]), &["one_sided_view.ply", "e1"]);
+    assert_refused(&run(&["fit", SAMPLE, "--support", "auto"]), &["--viewpoint"]);
+}
+
+#[test]
+fn inliers_are_written_with_their_points() {
+    let folder = TempDir::new().expect("a folder");
+    let path = in_folder(&folder, "inliers.ply");
+    assert_done(&run(&["fit", SAMPLE, "--viewpoint", "0,0,0", "--inliers", &path]));
+    let bytes = fs::read(&path).expect("a file");
+    let header = String::from_utf8_lossy(&bytes[..200]).into_owned();
+    assert!(header.contains("element vertex 1964") && header.contains("property uchar inlier"));
 }

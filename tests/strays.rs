@@ -2,9 +2,9 @@
 
 mod common;
 
-use common::{Scene, iou, median, one_sided_view, point_cloud};
+use common::{Scene, iou, median, one_sided_view_from, point_cloud};
 use superquadric::model::Model;
-use superquadric::recover::{Fit, FitOptions, fit};
+use superquadric::recover::{FitOptions, Sight, fit};
 
 const SHAPES: u64 = 100;
 
@@ -25,23 +25,19 @@ fn with_strays(
     points
 }
 
-fn recover(points: &[[f64; 3]]) -> Fit {
-    fit(&point_cloud(points), &FitOptions::default()).expect("a cloud with an extent")
-}
+/// Points, and where the camera stood if that is told.
+type Seen = (Vec<[f64; 3]>, Option<[f64; 3]>);
 
 /// Overlaps of the truth with what is recovered from clouds made of it.
-fn overlaps(cloud: impl Fn(&mut Scene, &Model) -> Vec<[f64; 3]>) -> Vec<f64> {
+fn overlaps(cloud: impl Fn(&mut Scene, &Model) -> Seen) -> Vec<f64> {
     let overlap = |seed| {
         let mut scene = Scene::new(1_000 + seed);
         let truth = scene.random_model();
-        let points = cloud(&mut scene, &truth);
-        let found = recover(&points);
-        let overlap = iou(&truth, &found.model);
-        println!(
-            "seed {seed}: {overlap:.4}, strays {:.3}, {} starts, {} passes",
-            found.stray_share, found.starts, found.evaluations
-        );
-        overlap
+        let (points, camera) = cloud(&mut scene, &truth);
+        let sight = camera.map(Sight::from_viewpoint);
+        let options = FitOptions { sight, ..FitOptions::default() };
+        let found = fit(&point_cloud(&points), &options).expect("a cloud with an extent");
+        iou(&truth, &found.model)
     };
     (0..SHAPES).map(overlap).collect()
 }
@@ -55,7 +51,7 @@ fn assert_recovered_among_strays(share: f64, points: usize, least: usize) {
     let overlaps = overlaps(|scene, truth| {
         let surface = ((1.0 - share) * points as f64).round() as usize;
         let points = scene.cloud(truth, surface, 0.01);
-        with_strays(scene, truth, points, share)
+        (with_strays(scene, truth, points, share), None)
     });
     let found = recovered(&overlaps);
     println!("{share} strays: {found}, median {}", median(&overlaps));
@@ -82,28 +78,52 @@ fn complete_clouds_among_four_fifths_of_strays() {
     assert_recovered_among_strays(0.8, 3_000, 90);
 }
 
-#[test]
-fn views_of_one_side() {
-    for (noise, points, least, typical) in
-        [(0.01, 1_000, 98, 0.99), (0.05, 1_000, 85, 0.9), (0.01, 200, 95, 0.9)]
-    {
-        let overlaps = overlaps(|scene, truth| one_sided_view(scene, truth, points, noise));
-        let found = recovered(&overlaps);
-        println!("noise {noise}, {points} points: {found}, median {}", median(&overlaps));
-        assert!(found >= least, "{found} of {SHAPES} at noise {noise}, {points} points");
-        assert!(median(&overlaps) >= typical);
+/// Views of one side: from points alone, and with the viewpoint given.
+fn assert_recovered_from_one_side(
+    least: usize,
+    typical: f64,
+    view: impl Fn(&mut Scene, &Model) -> (Vec<[f64; 3]>, [f64; 3]),
+) {
+    for tells_viewpoint in [false, true] {
+        let overlaps = overlaps(|scene, truth| {
+            let (points, camera) = view(scene, truth);
+            (points, tells_viewpoint.then_some(camera))
+        });
+        let (found, middle) = (recovered(&overlaps), median(&overlaps));
+        println!("viewpoint told {tells_viewpoint}: {found}, median {middle}");
+        assert!(found >= least, "{found} of {SHAPES}, viewpoint told {tells_viewpoint}");
+        assert!(middle >= typical, "{middle}, viewpoint told {tells_viewpoint}");
     }
 }
 
 #[test]
-fn views_of_one_side_among_two_fifths_of_strays() {
-    let overlaps = overlaps(|scene, truth| {
-        let points = one_sided_view(scene, truth, 1_200, 0.01);
-        with_strays(scene, truth, points, 0.4)
+fn views_of_one_side() {
+    assert_recovered_from_one_side(98, 0.99, |scene, truth| {
+        one_sided_view_from(scene, truth, 1_000, 0.01)
     });
-    let found = recovered(&overlaps);
-    println!("one view, 0.4 strays: {found}, median {}", median(&overlaps));
-    assert!(found >= 90, "{found} of {SHAPES}");
+}
+
+#[test]
+fn noisy_views_of_one_side() {
+    assert_recovered_from_one_side(75, 0.95, |scene, truth| {
+        let points = scene.uniform(1_000.0, 3_000.0) as usize;
+        one_sided_view_from(scene, truth, points, 0.05)
+    });
+}
+
+#[test]
+fn sparse_views_of_one_side() {
+    assert_recovered_from_one_side(95, 0.97, |scene, truth| {
+        one_sided_view_from(scene, truth, 200, 0.01)
+    });
+}
+
+#[test]
+fn views_of_one_side_among_two_fifths_of_strays() {
+    assert_recovered_from_one_side(90, 0.98, |scene, truth| {
+        let (points, camera) = one_sided_view_from(scene, truth, 1_200, 0.01);
+        (with_strays(scene, truth, points, 0.4), camera)
+    });
 }
 
 /// What is said of the points themselves: the share, the noise, and which they are.
@@ -113,7 +133,7 @@ fn strays_are_named() {
     let truth = scene.random_model();
     let surface = scene.cloud(&truth, 1_000, 0.01);
     let points = with_strays(&mut scene, &truth, surface, 0.5);
-    let found = recover(&points);
+    let found = fit(&point_cloud(&points), &FitOptions::default()).unwrap();
     assert!((found.stray_share - 0.5).abs() < 0.06, "{}", found.stray_share);
     let noise = found.noise / truth.shape.mean_semi_axis();
     assert!((noise / 0.01 - 1.0).abs() < 0.15, "{noise}");

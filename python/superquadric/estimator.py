@@ -9,9 +9,23 @@ import numpy as np
 from ._core import Fit, Superellipsoid, fit
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from numpy.typing import ArrayLike, NDArray
 
-_OPTIONS = ("seed", "distance", "threads")
+_OPTIONS = (
+    "seed",
+    "distance",
+    "threads",
+    "viewpoint",
+    "free_rays",
+    "support",
+    "shape",
+    "fix",
+    "size_range",
+    "exponent_range",
+    "tie",
+)
 
 
 class SuperquadricEstimator:
@@ -21,6 +35,14 @@ class SuperquadricEstimator:
         seed: chooses the points that the first, coarse fits look at.
         distance: `radial` or `geometric`, that whose squares are minimised.
         threads: how many to use; by default as many as the machine offers.
+        viewpoint: where the sensor stood, of shape (3,).
+        free_rays: rays beside the object that came through, of shape (n, 4).
+        support: the plane that the object stands on, (a, b, c, d).
+        shape: `any`, `box`, `cylinder`, `ellipsoid` or `sphere`.
+        fix: values of parameters that are known, by name.
+        size_range: least and greatest semi-axis.
+        exponent_range: least and greatest exponent.
+        tie: semi-axes that are equal: `none`, `equator` or `all`.
 
     Attributes:
         model_: the recovered model.
@@ -41,11 +63,27 @@ class SuperquadricEstimator:
         seed: int = 0,
         distance: Literal["radial", "geometric"] = "geometric",
         threads: int | None = None,
+        viewpoint: ArrayLike | None = None,
+        free_rays: ArrayLike | None = None,
+        support: ArrayLike | None = None,
+        shape: Literal["any", "box", "cylinder", "ellipsoid", "sphere"] = "any",
+        fix: Mapping[str, float] | None = None,
+        size_range: tuple[float, float] | None = None,
+        exponent_range: tuple[float, float] | None = None,
+        tie: Literal["none", "equator", "all"] | None = None,
     ) -> None:
         """Store the options as they are; `fit` checks them."""
         self.seed = seed
         self.distance = distance
         self.threads = threads
+        self.viewpoint = viewpoint
+        self.free_rays = free_rays
+        self.support = support
+        self.shape = shape
+        self.fix = fix
+        self.size_range = size_range
+        self.exponent_range = exponent_range
+        self.tie = tie
 
     def fit(self, X: ArrayLike, y: object = None) -> SuperquadricEstimator:  # noqa: N803
         """Fit points of shape (n, 3); `y` is ignored.
@@ -96,6 +134,11 @@ class SuperquadricEstimator:
         return self
 
     def __repr__(self) -> str:
-        """Show the options."""
-        options = ", ".join(f"{name}={value!r}" for name, value in self.get_params().items())
+        """Show the options that are not the usual ones."""
+        usual = SuperquadricEstimator().get_params()
+        options = ", ".join(
+            f"{name}={value!r}"
+            for name, value in self.get_params().items()
+            if value is not usual[name]
+        )
         return f"SuperquadricEstimator({options})"

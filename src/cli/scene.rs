@@ -9,6 +9,9 @@ use crate::cloud::PointCloud;
 use crate::recover::{Plane, Sight};
 use crate::view::{Camera, DepthMap, find_plane, points_above};
 
+/// Where a depth map's camera stands in its own frame.
+const CAMERA: [f64; 3] = [0.0; 3];
+
 /// An object before a sensor.
 pub(super) struct Scene {
     pub cloud: PointCloud,
@@ -25,17 +28,16 @@ impl Scene {
         let camera = Camera::read(camera)?;
         let map = DepthMap::read(path, camera, sensor.mask.as_deref(), sensor.depth_unit)?;
         let sight = Some(map.sight());
-        let cloud = map.object_points();
-        match sensor.support {
-            Some(SupportArg::Auto) if sensor.mask.is_some() => {
-                let found = find_plane(&map.surroundings(), [0.0; 3], seed);
-                let plane = found.ok_or_else(|| CliError::NoPlane(name(path)))?;
-                Ok(Self { cloud, sight, support: Some(plane) })
+        let cloud = map.inner_points();
+        let plane = match sensor.support {
+            None => return Ok(Self { cloud, sight, support: None }),
+            Some(SupportArg::Plane(plane)) => plane,
+            Some(SupportArg::Auto) => {
+                let around = if sensor.mask.is_some() { &map.surroundings() } else { &cloud };
+                find_plane(around, CAMERA, seed).ok_or_else(|| CliError::NoPlane(name(path)))?
             }
-            Some(SupportArg::Auto) => Self::on_its_plane(path, cloud, [0.0; 3], sight, seed),
-            Some(SupportArg::Plane(plane)) => Ok(Self { cloud, sight, support: Some(plane) }),
-            None => Ok(Self { cloud, sight, support: None }),
-        }
+        };
+        Ok(Self { cloud: points_above(&cloud, &plane, CAMERA), sight, support: Some(plane) })
     }
 
     fn of_cloud(path: &Path, sensor: &SensorArgs, seed: u64) -> Result<Self, CliError> {
@@ -45,22 +47,13 @@ impl Scene {
             (Some(SupportArg::Plane(plane)), _) => Some(plane),
             (Some(SupportArg::Auto), None) => return Err(CliError::NoUpside),
             (Some(SupportArg::Auto), Some(viewpoint)) => {
-                return Self::on_its_plane(path, read_cloud(path)?, viewpoint, sight, seed);
+                let cloud = read_cloud(path)?;
+                let found = find_plane(&cloud, viewpoint, seed);
+                let plane = found.ok_or_else(|| CliError::NoPlane(name(path)))?;
+                let cloud = points_above(&cloud, &plane, viewpoint);
+                return Ok(Self { cloud, sight, support: Some(plane) });
             }
         };
         Ok(Self { cloud: read_cloud(path)?, sight, support })
-    }
-
-    /// The object on a plane that is in the same cloud: the points above it.
-    fn on_its_plane(
-        path: &Path,
-        cloud: PointCloud,
-        viewpoint: [f64; 3],
-        sight: Option<Sight>,
-        seed: u64,
-    ) -> Result<Self, CliError> {
-        let found = find_plane(&cloud, viewpoint, seed);
-        let plane = found.ok_or_else(|| CliError::NoPlane(name(path)))?;
-        Ok(Self { cloud: points_above(&cloud, &plane, viewpoint), sight, support: Some(plane) })
     }
 }

@@ -188,6 +188,12 @@ impl PyFit {
         self.fit.stray_share
     }
 
+    /// Number of points that are more likely of the surface than strays.
+    #[getter]
+    fn inliers(&self) -> usize {
+        self.fit.inliers()
+    }
+
     /// Which rows of the array are more likely of the surface than strays: bool of shape (n,),
     /// false for those skipped.
     #[getter]

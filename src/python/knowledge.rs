@@ -80,16 +80,8 @@ pub(super) fn constraints(
         Some(name) => return Err(unknown("tie", "none, equator or all", name)),
     }
     for (name, value) in fix {
-        match name.as_str() {
-            "a1" => constraints.size[0] = [*value; 2],
-            "a2" => constraints.size[1] = [*value; 2],
-            "a3" => constraints.size[2] = [*value; 2],
-            "e1" => constraints.exponents[0] = [*value; 2],
-            "e2" => constraints.exponents[1] = [*value; 2],
-            "x" => constraints.centre[0] = Some(*value),
-            "y" => constraints.centre[1] = Some(*value),
-            "z" => constraints.centre[2] = Some(*value),
-            _ => return Err(unknown("fix", "a1 a2 a3 e1 e2 x y z", name)),
+        if !constraints.fix(name, *value) {
+            return Err(unknown("fix", "a1 a2 a3 e1 e2 x y z", name));
         }
     }
     Ok(constraints)

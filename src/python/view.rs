@@ -194,6 +194,12 @@ impl PyDepthMap {
         table(py, py.detach(|| self.0.object_points().points().collect()))
     }
 
+    /// The same without the mask's rim, where a pixel may mix the depths of both sides: these are
+    /// best to fit.
+    fn inner_points<'py>(&self, py: Python<'py>) -> PyResult<Table<'py>> {
+        table(py, py.detach(|| self.0.inner_points().points().collect()))
+    }
+
     /// Points around the object that are not of it, of shape (n, 3); none without a mask.
     fn surroundings<'py>(&self, py: Python<'py>) -> PyResult<Table<'py>> {
         table(py, py.detach(|| self.0.surroundings().points().collect()))

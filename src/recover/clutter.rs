@@ -36,8 +36,13 @@ const LEAST_SHARE: f64 = 1e-6;
 const MIDDLE_VARIATION: f64 = 0.06;
 const VARIATION_SCALE: f64 = 0.015;
 
-/// Least share of clutter that is some.
-const LEAST_CLUTTER: f64 = 0.01;
+/// Reach, in that of the median point, up to which a point may have room to itself.
+const GREATEST_REACH: f64 = 4.0;
+
+/// Share of the points that is but a few, and the odds of a point that is far from all others to be
+/// of the surface.
+const FEW: f64 = 0.05;
+const ISOLATED_ODDS: f64 = 1e-9;
 
 /// What neighbours say of the points.
 #[derive(Debug, Clone)]
@@ -56,23 +61,43 @@ impl Clutter {
     /// Of points with these neighbours; none where one surface explains all.
     pub fn find(points: PointColumns, neighbourhoods: &[Neighbourhood]) -> Option<Self> {
         let reaches: Vec<f64> = neighbourhoods.iter().map(Neighbourhood::reach).collect();
-        let populations = Populations::find(&reaches)?;
-        let of = |(one, &reach): (&Neighbourhood, &f64)| {
-            populations.odds(reach) * odds_of_variation(one.variation(points))
+        let is_isolated = isolated(&reaches);
+        let populations = Populations::find(&reaches);
+        if populations.is_none() && !is_isolated.contains(&true) {
+            return None;
+        }
+        let of = |i: usize| match &populations {
+            _ if is_isolated[i] => ISOLATED_ODDS,
+            Some(populations) => {
+                let variation = neighbourhoods[i].variation(points);
+                populations.odds(reaches[i]) * odds_of_variation(variation)
+            }
+            None => 1.0,
         };
-        let odds: Vec<f64> = neighbourhoods.iter().zip(&reaches).map(of).collect();
-        let (share, on_surface) = posterior(&odds, populations.clutter_share);
+        let odds: Vec<f64> = (0..reaches.len()).map(of).collect();
+        let share = populations.map_or(FEW, |populations| populations.clutter_share);
+        let (share, on_surface) = posterior(&odds, share);
         // The few strays that look like surface would count much: they have much room.
         let kept: Vec<f64> =
             on_surface.iter().map(|&near| f64::from(u8::from(near > 0.5))).collect();
         let surface_area = seen_area(&reaches, &kept);
-        (share > LEAST_CLUTTER).then_some(Self { odds, share, surface_area, on_surface })
+        let is_any = kept.contains(&0.0);
+        is_any.then_some(Self { odds, share, surface_area, on_surface })
     }
 
     /// Indices of the points that are of the surface more likely than not.
     pub fn surface(&self) -> Vec<usize> {
         (0..self.on_surface.len()).filter(|&i| self.on_surface[i] > 0.5).collect()
     }
+}
+
+/// Which points are far from all others, where these are but a few.
+fn isolated(reaches: &[f64]) -> Vec<bool> {
+    let most = GREATEST_REACH * median(reaches);
+    let is_far: Vec<bool> = reaches.iter().map(|&reach| reach > most).collect();
+    let far = is_far.iter().filter(|is_far| **is_far).count();
+    let are_few = (far as f64) < FEW * reaches.len() as f64;
+    is_far.into_iter().map(|is_far| is_far && are_few).collect()
 }
 
 /// The share of clutter that the odds make most likely, from a first guess, and each point's
@@ -94,17 +119,22 @@ fn odds_of_variation(variation: f64) -> f64 {
     ((MIDDLE_VARIATION - variation) / VARIATION_SCALE).exp().clamp(low, high)
 }
 
-/// The area on which points lie: each has `pi D^2 / k` to itself.
+/// The area on which points lie: each has `pi D^2 / k` to itself, but none much more than most.
 pub(crate) fn seen_area(distances: &[f64], weights: &[f64]) -> f64 {
-    let squares = distances.iter().zip(weights).map(|(distance, weight)| weight * distance.powi(2));
-    PI / SHAPE * squares.sum::<f64>()
+    let most = GREATEST_REACH * median(distances);
+    let room = |(distance, weight): (&f64, &f64)| weight * distance.min(most).powi(2);
+    PI / SHAPE * distances.iter().zip(weights).map(room).sum::<f64>()
+}
+
+fn median(values: &[f64]) -> f64 {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    sorted[sorted.len() / 2]
 }
 
 /// One for the points with the nearer neighbours, none for the others.
 fn nearer_half(distances: &[f64]) -> Vec<f64> {
-    let mut sorted = distances.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let middle = sorted[sorted.len() / 2];
+    let middle = median(distances);
     distances.iter().map(|&distance| f64::from(u8::from(distance <= middle))).collect()
 }
 
@@ -161,8 +191,11 @@ impl Populations {
         [LN_2 + SHAPE * log(area) - area, 3.0_f64.ln() + SHAPE * log(volume) - volume]
     }
 
+    /// Beyond the typical distance in clutter as there: a point far from all is no likelier of the
+    /// surface, though it is unlikely in clutter as well.
     fn odds(&self, distance: f64) -> f64 {
         let [low, high] = ODDS_BOUNDS;
+        let distance = distance.min(self.clutter_distance());
         let [surface, clutter] = self.log_densities(distance);
         (surface - clutter).exp().clamp(low, high)
     }

@@ -84,6 +84,22 @@ impl Constraints {
         Self { tie: Tie::All, ..Self::ellipsoid() }
     }
 
+    /// Fixes the parameter of a name: a1 a2 a3 e1 e2, or the centre's x y z. Whether there is one.
+    pub fn fix(&mut self, name: &str, value: f64) -> bool {
+        match name {
+            "a1" => self.size[0] = [value; 2],
+            "a2" => self.size[1] = [value; 2],
+            "a3" => self.size[2] = [value; 2],
+            "e1" => self.exponents[0] = [value; 2],
+            "e2" => self.exponents[1] = [value; 2],
+            "x" => self.centre[0] = Some(value),
+            "y" => self.centre[1] = Some(value),
+            "z" => self.centre[2] = Some(value),
+            _ => return false,
+        }
+        true
+    }
+
     /// Why these cannot hold, if they cannot.
     pub(crate) fn contradiction(&self) -> Option<String> {
         let named = ["a1", "a2", "a3", "e1", "e2"].into_iter();
@@ -209,6 +225,18 @@ mod tests {
         let tied = Constraints { size: apart, tie: Tie::Equator, ..none };
         assert!(tied.contradiction().unwrap().contains("overlap"));
         assert_eq!(Constraints { tie: Tie::None, ..tied }.contradiction(), None);
+    }
+
+    #[test]
+    fn parameters_are_fixed_by_their_names() {
+        let mut fixed = Constraints::default();
+        for (value, name) in (1..).zip(["a1", "a2", "a3", "e1", "e2", "x", "y", "z"]) {
+            assert!(fixed.fix(name, f64::from(value)));
+        }
+        assert!(!fixed.fix("a4", 1.0));
+        assert_eq!(fixed.size, [[1.0; 2], [2.0; 2], [3.0; 2]]);
+        assert_eq!(fixed.exponents, [[4.0; 2], [5.0; 2]]);
+        assert_eq!(fixed.centre, [Some(6.0), Some(7.0), Some(8.0)]);
     }
 
     #[test]

@@ -64,11 +64,12 @@ impl Found {
             return Some(recovery.into());
         }
         let plain = Self::plain(all, moments, seed)?;
-        let Some(recovery) = set_outliers_apart(all, survey, &plain.best) else {
+        let Some(recovery) = set_outliers_apart(all, survey, &plain.best, seed) else {
             return Some(plain);
         };
-        let Self { best, surface, passes, .. } = recovery.into();
-        Some(Self { best, surface, passes: passes + plain.passes, starts: plain.starts })
+        let Self { best, surface, passes, starts } = recovery.into();
+        let (passes, starts) = (passes + plain.passes, starts + plain.starts);
+        Some(Self { best, surface, passes, starts })
     }
 }
 

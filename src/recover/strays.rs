@@ -5,7 +5,7 @@ use super::alternation::{MixtureFit, Schedule, alternate, finish, variance_of_ne
 use super::clutter::Clutter;
 use super::descent::{Descent, Effort, PointSet};
 use super::kernel::Residual;
-use super::mixture::Mixture;
+use super::mixture::{Mixture, Room};
 use super::normalization::Moments;
 use super::radial::PARAMETERS;
 use super::search::{BRIEF, Search};
@@ -93,27 +93,32 @@ pub(crate) fn fit_among_clutter(
     Some(Recovery { passes: search.passes + best.passes + fit.passes, starts: search.starts, fit })
 }
 
-/// Outliers that neighbours do not show, set apart from a fit to all points. None where that
-/// explains the points hardly better.
+/// Outliers that neighbours do not show, set apart from a fit to all points; then, as they may have
+/// misled it, another search without them. None where that explains the points hardly better.
 pub(crate) fn set_outliers_apart(
     all: &PointSet,
     survey: &Survey,
     plain: &Descent,
+    seed: u64,
 ) -> Option<Recovery> {
     let sample = PointSet { points: survey.points.columns(), parallel: false, ..*all };
     let squares = sample.geometric_squares(&plain.model);
     let variance = squares.iter().sum::<f64>() / squares.len() as f64;
     let without = Mixture { variance, stray_share: 0.0, room: survey.room };
-    let variance = variance_of_nearest(&sample, &plain.model);
-    let start = Mixture { variance, stray_share: FEW, room: survey.room };
-    let settled = alternate(&sample, None, &plain.model, start, ON_SAMPLE)?;
-    let gain = settled.log_likelihood - without.expect(&squares, None).log_likelihood;
-    if gain < OUTLIERS_GAIN {
+    let without = without.expect(&squares, None).log_likelihood;
+
+    let mut search = CoreSearch { sample: &sample, seed, passes: 0, starts: 0 };
+    let mut best = search.settle(&plain.model, survey.room)?;
+    if best.log_likelihood - without < OUTLIERS_GAIN {
         return None;
     }
-    let on_all = alternate(all, None, &settled.descent.model, settled.mixture, ON_ALL)?;
+    let surface = Subset::of(sample.points, &best.surface());
+    for model in search.minima(&surface) {
+        best = search.settle(&model, survey.room).into_iter().fold(best, MixtureFit::more_likely);
+    }
+    let on_all = alternate(all, None, &best.descent.model, best.mixture, ON_ALL)?;
     let fit = finish(all, on_all)?;
-    Some(Recovery { passes: settled.passes + fit.passes, starts: 0, fit })
+    Some(Recovery { passes: search.passes + fit.passes, starts: search.starts, fit })
 }
 
 /// Searches on parts of a sample, and what they cost.
@@ -125,6 +130,15 @@ struct CoreSearch<'a> {
 }
 
 impl CoreSearch<'_> {
+    /// The mixture around a model, from few strays.
+    fn settle(&mut self, model: &Model, room: Room) -> Option<MixtureFit> {
+        let variance = variance_of_nearest(self.sample, model);
+        let start = Mixture { variance, stray_share: FEW, room };
+        let fit = alternate(self.sample, None, model, start, ON_SAMPLE)?;
+        self.passes += fit.passes;
+        Some(fit)
+    }
+
     /// The best few of a core's minima by the likelihood of a mixture on few of its points.
     fn screen(&mut self, core: &Subset, start: Mixture) -> Vec<MixtureFit> {
         let models = self.minima(core);

@@ -49,21 +49,15 @@ impl Survey {
     pub fn evidence(&self, moments: &Moments, options: &FitOptions) -> Evidence {
         let normalization = &moments.normalization;
         let is_area = self.room.area.is_finite() && self.room.area > 0.0;
-        let free_space = |sight: &Sight| {
-            let hits = Subset::stratified(self.surface().columns(), RAYS_TO_POINTS, options.seed);
-            FreeSpace::new(sight, hits.columns(), normalization)
-        };
+        // Among clutter a ray may end on a stray.
+        let most = if self.clutter.is_some() { 0 } else { RAYS_TO_POINTS };
+        let hits = Subset::stratified(self.points.columns(), most, options.seed);
+        let free_space = |sight: &Sight| FreeSpace::new(sight, hits.columns(), normalization);
         Evidence {
             seen_area: is_area.then_some(SeenArea(self.room.area)),
             free_space: options.sight.as_ref().map(free_space),
             support: options.support.map(|plane| Support::new(&plane, normalization)),
         }
-    }
-
-    /// The points of the sample that are no clutter.
-    pub fn surface(&self) -> Subset {
-        let of = |clutter: &Clutter| Subset::of(self.points.columns(), &clutter.surface());
-        self.clutter.as_ref().map_or_else(|| self.points.clone(), of)
     }
 }
 

@@ -52,6 +52,13 @@ impl Mask {
         Err(ImageProblem::Size { expected, found: self.size, of: "the depth map" })
     }
 
+    /// The object without its rim: the pixels more than so many steps from what is not of it.
+    pub(super) fn without_rim(&self, steps: u32) -> Self {
+        let others = Self { is_object: self.is_object.iter().map(|is| !is).collect(), ..*self };
+        let is_inner = others.distances().into_iter().map(|distance| distance > steps);
+        Self { is_object: is_inner.collect(), ..*self }
+    }
+
     /// Steps of a king in chess from each pixel to the object; all the same great number where
     /// there is none. Two passes, each taking the least of its neighbours before.
     pub(super) fn distances(&self) -> Vec<u32> {
@@ -82,6 +89,15 @@ impl Mask {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_rim_of_two_pixels_is_taken_off() {
+        let is_object = |i: i64| (1..8).contains(&(i % 9)) && (1..8).contains(&(i / 9));
+        let mask = Mask { size: [9, 9], is_object: (0..81).map(is_object).collect() };
+        let inner = mask.without_rim(2);
+        let expected = |i: i64| (3..6).contains(&(i % 9)) && (3..6).contains(&(i / 9));
+        assert_eq!(inner.is_object, (0..81).map(expected).collect::<Vec<_>>());
+    }
 
     #[test]
     fn distances_are_those_of_a_king() {

@@ -84,6 +84,16 @@ pub fn one_sided_view(
     points: usize,
     noise: f64,
 ) -> Vec<[f64; 3]> {
+    one_sided_view_from(scene, truth, points, noise).0
+}
+
+/// The same, and where the camera stands.
+pub fn one_sided_view_from(
+    scene: &mut Scene,
+    truth: &Model,
+    points: usize,
+    noise: f64,
+) -> (Vec<[f64; 3]>, [f64; 3]) {
     let camera_world = truth.pose.translation()
         + 6.0 * truth.shape.mean_semi_axis() * scene.normal_vector().normalize();
     let deviation = noise * truth.shape.mean_semi_axis();
@@ -93,7 +103,8 @@ pub fn one_sided_view(
         (truth.pose.rotation() * normal).dot(&(camera_world - x_world)) > 0.0
     };
     let seen: Vec<Vector3<f64>> = surface.filter(faces_camera).collect();
-    seen.iter().map(|x_world| (x_world + deviation * scene.normal_vector()).into()).collect()
+    let noisy = |x_world: &Vector3<f64>| (x_world + deviation * scene.normal_vector()).into();
+    (seen.iter().map(noisy).collect(), camera_world.into())
 }
 
 /// Intersection over union of two solids, to about 2e-3.

@@ -56,7 +56,7 @@ def test_score_leaves_out_rows_that_are_not_finite(points):
 
 def test_an_estimator_can_be_cloned_and_changed(points):
     estimator = clone(SuperquadricEstimator(seed=3, threads=1))
-    assert repr(estimator) == ("SuperquadricEstimator(seed=3, distance='geometric', threads=1)")
+    assert repr(estimator) == ("SuperquadricEstimator(seed=3, threads=1)")
     assert estimator.set_params(seed=4) is estimator
     assert estimator.fit(points).fit_.seed == 4
     assert not hasattr(clone(estimator), "model_")

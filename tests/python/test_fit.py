@@ -35,8 +35,10 @@ def test_dictionary_has_what_the_schema_asks_for(fit):
     for name in ["model", "fit"]:
         assert set(document[name]) == set(schema["$defs"][name]["required"])
     evidence = document["fit"]
-    for name in set(evidence) - {"doubts"}:
+    for name in set(evidence) - {"doubts", "uncertainty"}:
         assert evidence[name] == getattr(fit, name)
+    assert np.array_equal(evidence["uncertainty"]["covariance"], fit.covariance)
+    assert np.array_equal(evidence["uncertainty"]["standard_errors"], fit.standard_errors)
     assert document["model"] == fit.model.to_dict()
 
 
@@ -45,8 +47,8 @@ def test_a_doubtful_fit_says_why():
     fit = superquadric.fit(grid)
     assert not fit.trusted
     assert "flat" in dict(fit.doubts)
-    expected = [{"kind": kind, "message": message} for kind, message in fit.doubts]
-    assert fit.to_dict()["fit"]["doubts"] == expected
+    doubts = fit.to_dict()["fit"]["doubts"]
+    assert [(doubt["kind"], doubt["message"]) for doubt in doubts] == fit.doubts
     assert "not trusted" in repr(fit)
 
 

@@ -13,7 +13,7 @@ pub(in crate::cli) struct ShapeArgs {
     pub class: ClassArg,
     /// Fix a parameter: a1, a2, a3, e1, e2, or the centre's x, y, z. May be repeated.
     #[arg(long, value_name = "NAME=VALUE", value_parser = fixed)]
-    pub fix: Vec<(Parameter, f64)>,
+    pub fix: Vec<(String, f64)>,
     /// Semi-axes are from LOW to HIGH, in the cloud's unit.
     #[arg(long, value_name = "LOW,HIGH", value_parser = vector::<2>)]
     pub size_range: Option<[f64; 2]>,
@@ -50,14 +50,6 @@ pub(in crate::cli) enum TieArg {
     All,
 }
 
-/// A parameter that can be fixed.
-#[derive(Debug, Clone, Copy)]
-pub(in crate::cli) enum Parameter {
-    Size(usize),
-    Exponent(usize),
-    Centre(usize),
-}
-
 impl ShapeArgs {
     /// The constraints that are meant: those of the class, then what narrows them.
     pub fn constraints(&self) -> Constraints {
@@ -79,31 +71,18 @@ impl ShapeArgs {
             Some(TieArg::All) => constraints.tie = Tie::All,
             None => {}
         }
-        for (parameter, value) in &self.fix {
-            match *parameter {
-                Parameter::Size(k) => constraints.size[k] = [*value; 2],
-                Parameter::Exponent(k) => constraints.exponents[k] = [*value; 2],
-                Parameter::Centre(k) => constraints.centre[k] = Some(*value),
-            }
+        for (name, value) in &self.fix {
+            constraints.fix(name, *value);
         }
         constraints
     }
 }
 
-fn fixed(text: &str) -> Result<(Parameter, f64), String> {
+/// The name of a parameter and its value.
+fn fixed(text: &str) -> Result<(String, f64), String> {
     let expected = || "expected one of a1 a2 a3 e1 e2 x y z, =, and a number".to_owned();
     let (name, value) = text.split_once('=').ok_or_else(expected)?;
-    let parameter = match name.trim() {
-        "a1" => Parameter::Size(0),
-        "a2" => Parameter::Size(1),
-        "a3" => Parameter::Size(2),
-        "e1" => Parameter::Exponent(0),
-        "e2" => Parameter::Exponent(1),
-        "x" => Parameter::Centre(0),
-        "y" => Parameter::Centre(1),
-        "z" => Parameter::Centre(2),
-        _ => return Err(expected()),
-    };
     let [value] = vector(value).map_err(|_| expected())?;
-    Ok((parameter, value))
+    let is_name = Constraints::NONE.clone().fix(name.trim(), value);
+    if is_name { Ok((name.trim().to_owned(), value)) } else { Err(expected()) }
 }
