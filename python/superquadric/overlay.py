@@ -16,7 +16,7 @@ Color = tuple[int, int, int]
 
 CONTOUR: Color = (0, 225, 255)
 VISIBLE: Color = (255, 255, 255)
-HIDDEN: Color = (150, 150, 150)
+HIDDEN: Color = (255, 255, 255)
 AXES: tuple[Color, Color, Color] = ((70, 70, 255), (70, 220, 70), (255, 140, 90))
 SEAM: Color = (0, 0, 0)
 
@@ -64,8 +64,8 @@ def draw(
     visible, hidden = wireframe(solid, camera)
     if points is not None:
         _draw_points(canvas, np.asarray(points, dtype=np.float64), solid, camera)
-    _draw_lines(canvas, hidden, HIDDEN, closed=False)
-    _draw_lines(canvas, visible, VISIBLE, closed=False)
+    _draw_faintly(canvas, hidden, HIDDEN, opacity=0.25)
+    _draw_faintly(canvas, visible, VISIBLE, opacity=0.6)
     _draw_lines(canvas, [outline], CONTOUR, closed=True, thickness=2)
     _draw_axes(canvas, solid, camera)
     return canvas
@@ -93,6 +93,15 @@ def _colored(image: NDArray[np.uint8], camera: Camera) -> NDArray[np.uint8]:
     return np.array(np.broadcast_to(channels, (*size, 3)), dtype=np.uint8, order="C")
 
 
+def _draw_faintly(
+    canvas: NDArray[np.uint8], lines: list[NDArray[np.float64]], color: Color, *, opacity: float
+) -> None:
+    """Lines that what is behind shines through."""
+    layer = canvas.copy()
+    _draw_lines(layer, lines, color, closed=False)
+    _opencv().addWeighted(layer, opacity, canvas, 1 - opacity, 0, canvas)
+
+
 def _draw_lines(
     canvas: NDArray[np.uint8],
     lines: list[NDArray[np.float64]],
@@ -105,7 +114,7 @@ def _draw_lines(
     cv2 = _opencv()
     near = [line for line in lines if np.abs(line).max() < FARTHEST]
     fixed = [np.rint(line * 2**SUBPIXEL_BITS).astype(np.int32) for line in near]
-    for width, ink in [(thickness + 2, SEAM), (thickness, color)]:
+    for width, ink in [(2 * thickness, SEAM), (thickness, color)]:
         cv2.polylines(canvas, fixed, closed, ink, width, cv2.LINE_AA, SUBPIXEL_BITS)
 
 
