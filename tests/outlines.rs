@@ -15,6 +15,8 @@ const CAMERA: &str =
     r#"{"fx": 500, "fy": 500, "cx": 319.5, "cy": 239.5, "width": 640, "height": 480}"#;
 const POSE: &str = r#"{"camera_from_world": [[0, -1, 0, 0.25], [1, 0, 0, 0], [0, 0, 1, 0]]}"#;
 
+const SCHEMA: &str = include_str!("../schema/contour-1.schema.json");
+
 fn folder() -> TempDir {
     let folder = TempDir::new().expect("a folder");
     for (name, text) in [("model.json", MODEL), ("camera.json", CAMERA), ("pose.json", POSE)] {
@@ -39,7 +41,11 @@ fn contour(folder: &TempDir, more: &[&str]) -> Value {
 fn contour_writes_the_outline_in_json() {
     let folder = folder();
     let document = contour(&folder, &[]);
-    assert_eq!(document["schema"], "superquadric.contour/1");
+    let schema: Value = serde_json::from_str(SCHEMA).expect("a schema in JSON");
+    let validator = jsonschema::validator_for(&schema).expect("a schema");
+    let errors: Vec<String> = validator.iter_errors(&document).map(|e| e.to_string()).collect();
+    assert_eq!(errors, Vec::<String>::new());
+    assert!(!validator.is_valid(&serde_json::json!({"schema": "superquadric.contour/1"})));
     assert_eq!(document["image"]["width"], 640);
     let radius = 500.0 * (0.1_f64).asin().tan();
     let polygon = document["contour"][0].as_array().unwrap();
