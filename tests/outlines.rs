@@ -156,6 +156,27 @@ fn overlay_draws_the_outline_on_its_pixels_and_leaves_the_rest() {
 }
 
 #[test]
+fn overlay_takes_points_from_a_depth_map() {
+    let folder = folder();
+    let path = |name: &str| folder.path().join(name);
+    write_photo(&path("photo.png"), [640, 480], BitDepth::Eight);
+    // 0x5a5a counts everywhere.
+    write_photo(&path("depth.png"), [640, 480], BitDepth::Sixteen);
+    let view = ["overlay", "model.json", "--camera", "camera.json", "--image", "photo.png"];
+    let depth = ["-o", "out.png", "--depth", "depth.png"];
+    let output = run(folder.path(), &[&view[..], &depth].concat());
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    assert!(message.contains("depth.png: the camera's file has no depth_units_m"), "{message}");
+    let unit = ["--depth-unit", "1e-4"];
+    let output = run(folder.path(), &[&view[..], &depth, &unit].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let (_, pixels) = read_picture(&path("out.png"));
+    let outside = pixels.iter().filter(|[red, _, blue]| *red > blue.saturating_add(60)).count();
+    assert!(outside > 1000, "{outside} pixels of points outside the model");
+}
+
+#[test]
 fn pictures_that_are_not_the_cameras_are_refused() {
     let folder = folder();
     write_photo(&folder.path().join("photo.png"), [64, 48], BitDepth::Eight);

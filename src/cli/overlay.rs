@@ -23,7 +23,8 @@ pub(super) fn run(args: &OverlayArgs) -> Result<u8, CliError> {
 /// The points to colour, in the camera's frame; none if none were given.
 fn read_points(args: &OverlayArgs, camera: Camera) -> Result<PointCloud, CliError> {
     if let Some(depth) = &args.depth {
-        return Ok(DepthMap::read(depth, camera, args.mask.as_deref(), None)?.object_points());
+        let map = DepthMap::read(depth, camera, args.mask.as_deref(), args.depth_unit)?;
+        return Ok(map.object_points());
     }
     let Some(points) = &args.points else { return Ok(PointCloud::new()) };
     let cloud = read_cloud(points)?;

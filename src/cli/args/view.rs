@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use super::parse::positive;
+
 /// A model, a camera, and how they stand to each other.
 #[derive(Debug, clap::Args)]
 pub(in crate::cli) struct ViewArgs {
@@ -51,6 +53,9 @@ pub(in crate::cli) struct OverlayArgs {
     /// The object in the depth map: PNG, not 0 where it is.
     #[arg(long, value_name = "MASK.png", requires = "depth")]
     pub mask: Option<PathBuf>,
+    /// Metres to a count of the depth map [default: depth_units_m of the camera].
+    #[arg(long, value_name = "METRES", requires = "depth", value_parser = positive)]
+    pub depth_unit: Option<f64>,
     /// File to write.
     #[arg(short, long, value_name = "OUT.png")]
     pub output: PathBuf,
