@@ -1,9 +1,11 @@
-//! `superquadric contour` as a user runs it.
+//! `superquadric contour` and `overlay` as a user runs them.
 
-use std::fs;
+use std::fs::{self, File};
+use std::io::BufReader;
 use std::path::Path;
 use std::process::{Command, Output};
 
+use png::{BitDepth, ColorType, Decoder, Encoder};
 use serde_json::Value;
 use tempfile::TempDir;
 
@@ -12,6 +14,8 @@ const MODEL: &str = r#"{"shape": {"family": "superellipsoid", "size": [0.1, 0.1,
 const CAMERA: &str =
     r#"{"fx": 500, "fy": 500, "cx": 319.5, "cy": 239.5, "width": 640, "height": 480}"#;
 const POSE: &str = r#"{"camera_from_world": [[0, -1, 0, 0.25], [1, 0, 0, 0], [0, 0, 1, 0]]}"#;
+
+const SCHEMA: &str = include_str!("../schema/contour-1.schema.json");
 
 fn folder() -> TempDir {
     let folder = TempDir::new().expect("a folder");
@@ -37,7 +41,11 @@ fn contour(folder: &TempDir, more: &[&str]) -> Value {
 fn contour_writes_the_outline_in_json() {
     let folder = folder();
     let document = contour(&folder, &[]);
-    assert_eq!(document["schema"], "superquadric.contour/1");
+    let schema: Value = serde_json::from_str(SCHEMA).expect("a schema in JSON");
+    let validator = jsonschema::validator_for(&schema).expect("a schema");
+    let errors: Vec<String> = validator.iter_errors(&document).map(|e| e.to_string()).collect();
+    assert_eq!(errors, Vec::<String>::new());
+    assert!(!validator.is_valid(&serde_json::json!({"schema": "superquadric.contour/1"})));
     assert_eq!(document["image"]["width"], 640);
     let radius = 500.0 * (0.1_f64).asin().tan();
     let polygon = document["contour"][0].as_array().unwrap();
@@ -92,5 +100,96 @@ fn views_without_an_outline_and_bad_files_are_refused_by_name() {
         assert_eq!(output.status.code(), Some(2), "{message}");
         assert!(message.contains(expected), "{message:?} does not name {expected:?}");
         assert!(!folder.path().join("c.json").exists());
+    }
+}
+
+/// A picture of one grey, of 8 or 16 bits.
+fn write_photo(path: &Path, size: [u32; 2], depth: BitDepth) {
+    let mut encoder = Encoder::new(File::create(path).unwrap(), size[0], size[1]);
+    encoder.set_color(ColorType::Grayscale);
+    encoder.set_depth(depth);
+    let count = (size[0] * size[1]) as usize * (depth as usize / 8);
+    encoder.write_header().unwrap().write_image_data(&vec![90; count]).unwrap();
+}
+
+/// Red, green and blue of each pixel.
+fn read_picture(path: &Path) -> (u32, Vec<[u8; 3]>) {
+    let decoder = Decoder::new(BufReader::new(File::open(path).unwrap()));
+    let mut reader = decoder.read_info().unwrap();
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+    let frame = reader.next_frame(&mut bytes).unwrap();
+    assert_eq!(frame.color_type, ColorType::Rgb);
+    (frame.width, bytes.chunks_exact(3).map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect())
+}
+
+#[test]
+fn overlay_draws_the_outline_on_its_pixels_and_leaves_the_rest() {
+    let folder = folder();
+    let path = |name: &str| folder.path().join(name);
+    let points: String = (0..200).map(|i| format!("0 {} 0.9\n", 0.0004 * f64::from(i))).collect();
+    fs::write(path("points.xyz"), points).unwrap();
+    for depth in [BitDepth::Eight, BitDepth::Sixteen] {
+        write_photo(&path("photo.png"), [640, 480], depth);
+        let view = ["overlay", "model.json", "--camera", "camera.json", "--image", "photo.png"];
+        let more = ["-o", "out.png", "--points", "points.xyz"];
+        let output = run(folder.path(), &[&view[..], &more].concat());
+        assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+        let (width, pixels) = read_picture(&path("out.png"));
+        assert_eq!((width, pixels.len()), (640, 640 * 480));
+        let radius = 500.0 * (0.1_f64).asin().tan();
+        for turn in 0..100 {
+            let (sin, cos) = (0.0628 * f64::from(turn)).sin_cos();
+            let at = |radius: f64| {
+                let [u, v] = [319.5 + radius * cos, 239.5 + radius * sin].map(f64::round);
+                pixels[v as usize * 640 + u as usize]
+            };
+            let [red, _, blue] = at(radius);
+            // The axes x and y cross the outline.
+            let is_axis = !(3..=97).contains(&turn) || (22..29).contains(&turn);
+            assert!(red > blue || is_axis, "{turn}");
+            assert_eq!(at(1.5 * radius), [90; 3]);
+        }
+        let coloured =
+            pixels.iter().filter(|[red, _, blue]| *blue > red.saturating_add(60)).count();
+        assert!(coloured > 500, "{coloured} pixels of points and scale within the model");
+    }
+}
+
+#[test]
+fn overlay_takes_points_from_a_depth_map() {
+    let folder = folder();
+    let path = |name: &str| folder.path().join(name);
+    write_photo(&path("photo.png"), [640, 480], BitDepth::Eight);
+    // 0x5a5a counts everywhere.
+    write_photo(&path("depth.png"), [640, 480], BitDepth::Sixteen);
+    let view = ["overlay", "model.json", "--camera", "camera.json", "--image", "photo.png"];
+    let depth = ["-o", "out.png", "--depth", "depth.png"];
+    let output = run(folder.path(), &[&view[..], &depth].concat());
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    assert!(message.contains("depth.png: the camera's file has no depth_units_m"), "{message}");
+    let unit = ["--depth-unit", "1e-4"];
+    let output = run(folder.path(), &[&view[..], &depth, &unit].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let (_, pixels) = read_picture(&path("out.png"));
+    let outside = pixels.iter().filter(|[red, _, blue]| *red > blue.saturating_add(60)).count();
+    assert!(outside > 1000, "{outside} pixels of points outside the model");
+}
+
+#[test]
+fn pictures_that_are_not_the_cameras_are_refused() {
+    let folder = folder();
+    write_photo(&folder.path().join("photo.png"), [64, 48], BitDepth::Eight);
+    for (photo, expected) in [
+        ("photo.png", "photo.png: expected [640, 480] pixels"),
+        ("model.json", "model.json: expected a PNG image"),
+        ("none.png", "none.png: "),
+    ] {
+        let view = ["overlay", "model.json", "--camera", "camera.json", "--image", photo];
+        let output = run(folder.path(), &[&view[..], &["-o", "out.png"]].concat());
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(message.contains(expected), "{message:?} does not name {expected:?}");
+        assert!(!folder.path().join("out.png").exists());
     }
 }

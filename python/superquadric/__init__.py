@@ -28,6 +28,7 @@ from ._core import (
     read_depth,
     rim,
     score,
+    wireframe,
 )
 from .estimator import SuperquadricEstimator
 
@@ -55,4 +56,5 @@ __all__ = [
     "read_depth",
     "rim",
     "score",
+    "wireframe",
 ]

@@ -31,6 +31,7 @@ __all__ = [
     "read_depth",
     "rim",
     "score",
+    "wireframe",
 ]
 
 __version__: str
@@ -285,3 +286,6 @@ def score(
     samples: int = 20_000,
     seed: int = 0,
 ) -> Score: ...
+def wireframe(
+    model: Superellipsoid | Fit, camera: Camera
+) -> tuple[list[NDArray[np.float64]], list[NDArray[np.float64]]]: ...

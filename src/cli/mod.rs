@@ -12,6 +12,7 @@ mod info;
 mod input;
 mod mesh;
 mod output;
+mod overlay;
 mod progress;
 mod scene;
 mod threads;
@@ -49,6 +50,7 @@ fn run(command: Command) -> Result<u8, CliError> {
         Command::Mesh(args) => mesh::run(&args),
         Command::Info(args) => info::run(&args),
         Command::Contour(args) => contour::run(&args),
+        Command::Overlay(args) => overlay::run(&args),
         Command::Batch(args) => batch::run(&args),
         Command::Completions(args) => completions::run(&args),
     }

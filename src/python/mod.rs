@@ -13,6 +13,7 @@ mod read;
 mod score;
 mod solid;
 mod view;
+mod wireframe;
 
 use pyo3::prelude::*;
 
@@ -38,6 +39,8 @@ mod core {
     use super::score::{PyScore, score};
     #[pymodule_export]
     use super::view::{PyCamera, PyDepthMap, read_depth};
+    #[pymodule_export]
+    use super::wireframe::wireframe;
 
     #[pymodule_export]
     #[expect(non_upper_case_globals, reason = "the name that Python expects")]

@@ -213,6 +213,20 @@ height: 1
     }
 
     #[test]
+    fn damaged_files_are_read_or_refused() {
+        for text in [OPENCV, CALIBRATION, CAMERA_INFO, JSON] {
+            for length in 0..text.len() {
+                let _ = parse(&text.as_bytes()[..length]);
+                for byte in [b'\n', b':', b'&', b'*', b'[', b'9', 0xff] {
+                    let mut damaged = text.as_bytes().to_vec();
+                    damaged[length] = byte;
+                    let _ = parse(&damaged);
+                }
+            }
+        }
+    }
+
+    #[test]
     fn aliases_that_multiply_are_refused() {
         let mut bomb = "a0: &a0 [x, x, x, x, x, x, x, x, x, x]\n".to_owned();
         for i in 1..12 {

@@ -25,7 +25,7 @@ pub(super) fn read_bytes(path: &Path, most: u64) -> Result<Vec<u8>, ImageProblem
 }
 
 /// A decoded image.
-pub(super) struct Pixels {
+pub(in crate::view) struct Pixels {
     /// Columns and rows.
     pub size: [u32; 2],
     /// Rows one after the other, channels next to each other, high bytes first.

@@ -10,9 +10,12 @@ mod error;
 mod extrinsics;
 mod image;
 mod mask;
+#[cfg(feature = "overlay")]
+mod overlay;
 mod projection;
 mod rim;
 mod table;
+mod wireframe;
 
 pub use camera::Camera;
 pub use contour::Contour;
@@ -22,6 +25,9 @@ pub use distortion::Distortion;
 pub use error::ImageError;
 pub use extrinsics::read_camera_from_world;
 pub use mask::Mask;
+#[cfg(feature = "overlay")]
+pub use overlay::Picture;
 pub use projection::{OrthographicCamera, Projection, model_in_camera};
 pub use rim::{RimError, Viewpoint, orthographic_rim_meridians, orthographic_rim_point, rim};
 pub use table::{find_plane, points_above};
+pub use wireframe::Wireframe;

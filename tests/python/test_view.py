@@ -156,3 +156,15 @@ def test_rim_is_where_lines_of_sight_touch():
             superquadric.rim(model, **arguments)
     with pytest.raises(superquadric.ViewError):
         superquadric.rim(model, centre=[5, 6, 7])
+
+
+def test_lines_of_the_surface_are_within_the_outline():
+    camera = square_camera()
+    model = superquadric.Superellipsoid([0.1, 0.2, 0.3], [0.2, 1.5], translation=[0, 0, 2])
+    low, high = superquadric.contour(model, camera).bounding_box
+    visible, hidden = superquadric.wireframe(model, camera)
+    for lines in (visible, hidden):
+        pixels = np.concatenate(lines)
+        assert len(lines) > 10
+        assert (pixels > low - 0.02).all()
+        assert (pixels < high + 0.02).all()

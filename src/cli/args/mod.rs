@@ -11,7 +11,7 @@ use std::path::PathBuf;
 
 pub(super) use fit::FitArgs;
 pub(super) use sensor::{SensorArgs, SupportArg};
-pub(super) use view::{ContourArgs, ViewArgs};
+pub(super) use view::{ContourArgs, OverlayArgs, ViewArgs};
 
 use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
@@ -36,6 +36,7 @@ Examples:
   superquadric mesh fit.json -o shape.stl
   superquadric info fit.json
   superquadric contour fit.json --camera camera.json -o outline.svg
+  superquadric overlay fit.json --camera camera.json --image photo.png -o overlay.png
 
 Exit codes:
   0  done
@@ -54,6 +55,7 @@ pub(super) enum Command {
     Mesh(MeshArgs),
     Info(InfoArgs),
     Contour(ContourArgs),
+    Overlay(OverlayArgs),
     Batch(BatchArgs),
     Completions(CompletionsArgs),
 }

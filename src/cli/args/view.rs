@@ -1,6 +1,8 @@
-//! What a camera looks at.
+//! What a camera looks at: outlines and overlays.
 
 use std::path::PathBuf;
+
+use super::parse::positive;
 
 /// A model, a camera, and how they stand to each other.
 #[derive(Debug, clap::Args)]
@@ -28,5 +30,33 @@ pub(in crate::cli) struct ContourArgs {
     pub view: ViewArgs,
     /// File to write: .json or .svg; - is stdout, for JSON.
     #[arg(short, long, value_name = "CONTOUR")]
+    pub output: PathBuf,
+}
+
+/// Draw a model over a picture of it.
+///
+/// Its outline, lines on its surface (those it hides dashed), and its axes x, y, z in red, green and
+/// blue; and points coloured by their distance from it.
+#[derive(Debug, clap::Args)]
+pub(in crate::cli) struct OverlayArgs {
+    #[command(flatten)]
+    pub view: ViewArgs,
+    /// Picture of the camera: PNG.
+    #[arg(long, value_name = "PHOTO.png")]
+    pub image: PathBuf,
+    /// Points to colour, in the model's frame: PLY, PCD, NPY or text.
+    #[arg(long, value_name = "CLOUD", conflicts_with = "depth")]
+    pub points: Option<PathBuf>,
+    /// Points to colour: a depth map of the camera, PNG of 16 bits, in metres as the model.
+    #[arg(long, value_name = "DEPTH.png", conflicts_with = "pose")]
+    pub depth: Option<PathBuf>,
+    /// The object in the depth map: PNG, not 0 where it is.
+    #[arg(long, value_name = "MASK.png", requires = "depth")]
+    pub mask: Option<PathBuf>,
+    /// Metres to a count of the depth map [default: depth_units_m of the camera].
+    #[arg(long, value_name = "METRES", requires = "depth", value_parser = positive)]
+    pub depth_unit: Option<f64>,
+    /// File to write.
+    #[arg(short, long, value_name = "OUT.png")]
     pub output: PathBuf,
 }
