@@ -2,6 +2,7 @@
 
 use super::descent::{Descent, Effort, PointSet, descend};
 use super::mixture::{Expectation, Mixture};
+use super::radial::PARAMETERS;
 use crate::model::Model;
 
 /// Relative change of the noise's deviation, and of the share of strays, at the end.
@@ -89,8 +90,12 @@ pub(crate) fn alternate(
     Some(MixtureFit { descent, mixture, weights, log_likelihood, passes: passes + 1 })
 }
 
-/// The model to the end under the weights of a fit.
+/// The model to the end under the weights of a fit. None if too few points are of its surface to
+/// determine it.
 pub(crate) fn finish(points: &PointSet, fit: MixtureFit) -> Option<MixtureFit> {
+    if fit.surface().len() <= PARAMETERS {
+        return None;
+    }
     let descent = descend_weighted(points, &fit.weights, &fit.descent.model, &FINISH)?;
     let passes = fit.passes + descent.passes;
     Some(MixtureFit { descent, passes, ..fit })
