@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::pose::Pose;
-use crate::shape::Superellipsoid;
+use crate::shape::{MassProperties, Superellipsoid};
 
 /// A shape and where it stands in the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,6 +43,11 @@ impl Model {
     pub fn support(&self, n_world: &Vector3<f64>) -> f64 {
         let n_model = self.pose.rotation().inverse_transform_vector(n_world);
         n_world.dot(self.pose.translation()) + self.shape.support(&n_model)
+    }
+
+    /// Volume, centroid and second moments of unit density, in the world's frame.
+    pub fn mass_properties(&self) -> MassProperties {
+        self.shape.mass_properties().transformed(&self.pose)
     }
 
     /// The least box along the world's axes that holds the solid: `[min, max]`.

@@ -143,6 +143,13 @@ fn info_tells_volume_and_extents_of_a_bare_model() {
     let volume = info["volume"].as_f64().unwrap();
     assert!((volume / (8.0 * std::f64::consts::PI) - 1.0).abs() < 1e-13);
     assert_eq!(info["extents"], serde_json::json!([2.0, 4.0, 6.0]));
+    // An ellipsoid's inertia is a fifth of its mass times sums of squares.
+    for (axis, sum) in [13.0, 10.0, 5.0].into_iter().enumerate() {
+        let inertia = info["inertia"][axis][axis].as_f64().unwrap();
+        assert!((inertia / (volume / 5.0 * sum) - 1.0).abs() < 1e-13);
+    }
+    let area = info["surface_area"].as_f64().unwrap();
+    assert!((area / 48.882_146_302_582 - 1.0).abs() < 1e-12, "{area}");
     let [min, max] = [0, 1].map(|side| info["bounding_box"][side][0].as_f64().unwrap());
     assert!((min + max - 10.0).abs() < 1e-12 && max - min > 2.0 && max - min < 6.0);
     assert!(text(&run_with_input(&["info", "-"], BARE.as_bytes()).stdout).contains("25.1327"));

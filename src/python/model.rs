@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple, PyType};
 
@@ -59,6 +59,11 @@ impl PyModel {
     fn rotation_rows(&self) -> [[f64; 3]; 3] {
         self.0.pose.rotation().matrix().transpose().into()
     }
+}
+
+/// A matrix as an array of shape (3, 3).
+fn square<'py>(py: Python<'py>, matrix: &Matrix3<f64>) -> PyResult<Table<'py>> {
+    table(py, <[[f64; 3]; 3]>::from(matrix.transpose()).to_vec())
 }
 
 #[pymethods]
@@ -124,6 +129,36 @@ impl PyModel {
     #[getter]
     fn volume(&self) -> f64 {
         self.0.shape.volume()
+    }
+
+    /// Area of the surface, by quadrature: relative error below 1e-9 for exponents from 0.05 to 2
+    /// and aspects up to 1:100.
+    #[getter]
+    fn surface_area(&self) -> f64 {
+        self.0.shape.surface_area()
+    }
+
+    /// Inertia tensor of unit density about the centroid, in the model's axes: float64 of shape
+    /// (3, 3) (JLS Eqs. 2.67-2.69).
+    #[getter]
+    fn inertia<'py>(&self, py: Python<'py>) -> PyResult<Table<'py>> {
+        square(py, &self.0.shape.mass_properties().inertia())
+    }
+
+    /// Inertia tensor of unit density about a point of the world, in the world's axes: float64 of
+    /// shape (3, 3). The point is the centroid if none is given.
+    #[pyo3(signature = (point = None))]
+    fn inertia_about<'py>(
+        &self,
+        py: Python<'py>,
+        point: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Table<'py>> {
+        let mass = self.0.mass_properties();
+        let point = match point {
+            Some(point) => Doubles::new("point", point)?.vector::<3>()?.into(),
+            None => mass.centroid(),
+        };
+        square(py, &mass.inertia_about(&point))
     }
 
     /// The least box along the world's axes that holds the solid: float64 of shape (2, 3), its

@@ -77,11 +77,15 @@ impl From<&Model> for ModelDocument {
             },
             pose: PoseDocument {
                 euler_zyz: Some(model.pose.euler_zyz()),
-                rotation: Some(std::array::from_fn(|i| std::array::from_fn(|j| rotation[(i, j)]))),
+                rotation: Some(rows(rotation)),
                 translation: (*model.pose.translation()).into(),
             },
         }
     }
+}
+
+fn rows(matrix: &Matrix3<f64>) -> [[f64; 3]; 3] {
+    matrix.transpose().into()
 }
 
 const FAMILY: &str = "superellipsoid";
@@ -252,6 +256,9 @@ pub struct InfoDocument {
     model: ModelDocument,
     extents: [f64; 3],
     volume: f64,
+    surface_area: f64,
+    /// About the centroid, in the model's axes, of unit density.
+    inertia: [[f64; 3]; 3],
     bounding_box: [[f64; 3]; 2],
 }
 
@@ -262,6 +269,8 @@ impl InfoDocument {
             model: model.into(),
             extents: model.shape.size().map(|a| 2.0 * a),
             volume: model.shape.volume(),
+            surface_area: model.shape.surface_area(),
+            inertia: rows(&model.shape.mass_properties().inertia()),
             bounding_box: model.bounding_box().map(Into::into),
         }
     }

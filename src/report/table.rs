@@ -80,6 +80,9 @@ pub fn model_table(model: &Model) -> String {
     let [min, max] = model.bounding_box();
     line(&mut table, "extents", &vector(&model.shape.size().map(|a| 2.0 * a), DIGITS));
     line(&mut table, "volume", &number(model.shape.volume(), DIGITS));
+    line(&mut table, "area", &number(model.shape.surface_area(), DIGITS));
+    let inertia = model.shape.mass_properties().inertia().diagonal();
+    line(&mut table, "inertia", &format!("{}  (model axes)", vector(inertia.as_slice(), DIGITS)));
     line(&mut table, "box min", &vector(min.as_slice(), DIGITS));
     line(&mut table, "box max", &vector(max.as_slice(), DIGITS));
     table

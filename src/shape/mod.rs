@@ -1,7 +1,35 @@
-//! Shapes in their own frame, a file per family.
+//! Shapes in their own frame, a file or folder a family.
 
+mod arc;
 mod gauge;
+mod mass;
+mod superellipse;
 mod superellipsoid;
 
 pub(crate) use gauge::{GaugeTerms, LOG_FLOOR, TINY, superellipse_norm};
+pub use mass::MassProperties;
+pub use superellipse::Superellipse;
 pub use superellipsoid::Superellipsoid;
+
+use crate::error::ModelError;
+
+/// Whether a parameter is a positive, finite number.
+fn is_positive(value: f64) -> bool {
+    value.is_finite() && value > 0.0
+}
+
+/// Makes sure that all semi-axes are positive, finite numbers.
+fn validated_size(size: &[f64]) -> Result<(), ModelError> {
+    match size.iter().position(|&a| !is_positive(a)) {
+        Some(axis) => Err(ModelError::Size { axis, value: size[axis] }),
+        None => Ok(()),
+    }
+}
+
+/// Makes sure that all exponents are positive, finite numbers.
+fn validated_exponents(exponents: &[f64]) -> Result<(), ModelError> {
+    match exponents.iter().position(|&e| !is_positive(e)) {
+        Some(index) => Err(ModelError::Exponent { index, value: exponents[index] }),
+        None => Ok(()),
+    }
+}

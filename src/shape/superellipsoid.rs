@@ -1,10 +1,12 @@
 //! The superellipsoid in its own frame (B81; JLS section 2.2).
 
+mod mass;
+
 use nalgebra::Vector3;
 
 use super::gauge::{GaugeTerms, superellipse_norm};
 use crate::error::ModelError;
-use crate::math::{beta, signed_power};
+use crate::math::signed_power;
 
 /// The solid `((x/a1)^(2/e2) + (y/a2)^(2/e2))^(e2/e1) + (z/a3)^(2/e1) <= 1` (JLS Eq. 2.15).
 ///
@@ -23,13 +25,8 @@ impl Superellipsoid {
     /// # Errors
     /// If one of them is not a positive, finite number.
     pub fn new(size: [f64; 3], exponents: [f64; 2]) -> Result<Self, ModelError> {
-        let is_valid = |value: f64| value.is_finite() && value > 0.0;
-        if let Some(axis) = size.iter().position(|&a| !is_valid(a)) {
-            return Err(ModelError::Size { axis, value: size[axis] });
-        }
-        if let Some(index) = exponents.iter().position(|&e| !is_valid(e)) {
-            return Err(ModelError::Exponent { index, value: exponents[index] });
-        }
+        super::validated_size(&size)?;
+        super::validated_exponents(&exponents)?;
         Ok(Self { size, exponents })
     }
 
@@ -140,14 +137,6 @@ impl Superellipsoid {
         let [u, v, w]: [f64; 3] = std::array::from_fn(|i| n[i].abs() * self.size[i]);
         let [d1, d2] = self.exponents.map(|e| (2.0 - e).max(0.0));
         superellipse_norm(superellipse_norm(u, v, d2), w, d1)
-    }
-
-    /// Volume `2 a1 a2 a3 e1 e2 B(e1/2, e1 + 1) B(e2/2, e2/2 + 1)` (JLS Eq. 2.59).
-    pub fn volume(&self) -> f64 {
-        let [a1, a2, a3] = self.size;
-        let [e1, e2] = self.exponents;
-        let betas = beta(0.5 * e1, e1 + 1.0) * beta(0.5 * e2, 0.5 * e2 + 1.0);
-        2.0 * a1 * a2 * a3 * e1 * e2 * betas
     }
 }
 

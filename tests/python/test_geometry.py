@@ -89,6 +89,32 @@ def test_bounding_box_is_the_least_that_holds_the_samples(exponents):
     np.testing.assert_allclose(-model.support(-axes), low, atol=WORLD)
 
 
+@pytest.mark.parametrize("exponents", EXPONENTS)
+def test_inertia_is_that_of_points_uniform_in_the_solid(exponents):
+    model = posed(exponents)
+    points = model.sample_solid(20_000)
+    for about, tensor in [
+        (CENTRE, model.inertia_about()),
+        ([1.0, 2.0, 3.0], model.inertia_about([1.0, 2.0, 3.0])),
+        (CENTRE, model.rotation @ model.inertia @ model.rotation.T),
+    ]:
+        offsets = points - about
+        squares = np.einsum("ni,nj->ij", offsets, offsets) / len(points)
+        sampled = model.volume * (np.trace(squares) * np.eye(3) - squares)
+        # A share of squares deviates by less than itself: a hundredth over 20 000 points.
+        np.testing.assert_allclose(tensor, sampled, atol=0.03 * np.abs(sampled).max())
+
+
+@pytest.mark.parametrize("exponents", EXPONENTS)
+def test_surface_area_is_the_limit_of_inscribed_meshes(exponents):
+    model = posed(exponents)
+    vertices, triangles = model.mesh(resolution=64)
+    a, b, c = vertices[triangles].transpose(1, 0, 2)
+    inscribed = np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2
+    assert inscribed <= model.surface_area * (1 + 1e-9)
+    assert inscribed == pytest.approx(model.surface_area, rel=1e-3)
+
+
 def test_samples_are_the_same_for_the_same_seed_only(model):
     for draw in [model.sample, model.sample_solid]:
         assert np.array_equal(draw(50, seed=3), draw(50, seed=3))

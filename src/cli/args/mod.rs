@@ -96,7 +96,7 @@ pub(super) struct MeshArgs {
     pub resolution: Resolution,
 }
 
-/// Tell what is known of a model: axes, extents, volume, bounding box.
+/// Tell what is known of a model: axes, extents, volume, area, inertia, bounding box.
 #[derive(Debug, clap::Args)]
 pub(super) struct InfoArgs {
     /// A fit or a bare model in JSON; - is stdin.
