@@ -19,6 +19,9 @@ use crate::cloud::PointColumns;
 /// The shape k of the Gamma variates.
 const SHAPE: f64 = NEIGHBOUR as f64;
 
+/// Distances that stand for all where densities are estimated.
+const QUANTILES: usize = 256;
+
 /// Rounds of expectation and maximisation.
 const ROUNDS: usize = 40;
 
@@ -70,7 +73,7 @@ impl Clutter {
     pub fn find(points: PointColumns, neighbourhoods: &[Neighbourhood]) -> Option<Self> {
         let reaches: Vec<f64> = neighbourhoods.iter().map(Neighbourhood::reach).collect();
         let is_isolated = isolated(&reaches);
-        let populations = Populations::find(&reaches);
+        let populations = Populations::find(&quantiles(&reaches, QUANTILES));
         if populations.is_none() && !is_isolated.contains(&true) {
             return None;
         }
@@ -153,6 +156,14 @@ fn quantile(values: &[f64], share: f64) -> f64 {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);
     sorted[(share * sorted.len() as f64) as usize]
+}
+
+/// As many values that stand for all, each for an equal share of them; all where they are fewer.
+fn quantiles(values: &[f64], count: usize) -> Vec<f64> {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let count = count.min(sorted.len());
+    (0..count).map(|i| sorted[(2 * i + 1) * sorted.len() / (2 * count)]).collect()
 }
 
 /// One for the points with the nearer neighbours, none for the others.

@@ -8,27 +8,47 @@ use crate::cloud::PointColumns;
 /// chance.
 pub(crate) const NEIGHBOUR: usize = 8;
 
-/// The nearest neighbours of a point, the nearest first.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Neighbourhood {
-    /// Squared distances; infinite where there are fewer.
-    squares: [f64; NEIGHBOUR],
-    indices: [usize; NEIGHBOUR],
+/// Most points that neighbours are looked for among: a place among them takes the lowest bits of
+/// [`Key`].
+pub(crate) const MOST_POINTS: usize = 1 << INDEX_BITS;
+const INDEX_BITS: u32 = 16;
+const INDEX: u64 = (1 << INDEX_BITS) - 1;
+
+/// A squared distance, whose bits are in the order of the number, to eleven digits, and in its
+/// lowest bits whose it is: two at once are compared and moved.
+type Key = u64;
+
+/// No neighbour at all.
+const NONE: Key = f64::INFINITY.to_bits() | INDEX;
+
+fn key(square: f64, index: usize) -> Key {
+    square.to_bits() & !INDEX | index as u64
 }
 
+fn square(key: Key) -> f64 {
+    f64::from_bits(key & !INDEX)
+}
+
+/// The nearest neighbours of a point, the nearest first.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Neighbourhood([Key; NEIGHBOUR]);
+
 impl Neighbourhood {
-    /// The distance of the eighth neighbour.
+    /// The distance of the eighth neighbour; infinite where there is none.
     pub fn reach(&self) -> f64 {
-        self.squares[NEIGHBOUR - 1].sqrt()
+        square(self.worst()).sqrt()
+    }
+
+    fn indices(&self) -> impl Iterator<Item = usize> {
+        self.0.iter().filter(|key| **key < NONE).map(|key| (key & INDEX) as usize)
     }
 
     /// The least share of the scatter of the neighbours in one direction, `l3 / (l1 + l2 + l3)` of
     /// its eigenvalues: 0 where they lie in a plane, about 0.14 where they are strewn in space, 1/3
     /// at most. (Surface variation: M. Pauly, M. Gross and L. Kobbelt 2002.)
     pub fn variation(&self, points: PointColumns) -> f64 {
-        let neighbours = self.indices.iter().zip(self.squares).filter(|(_, s)| s.is_finite());
-        let neighbours: Vec<Vector3<f64>> =
-            neighbours.map(|(&i, _)| Vector3::from(points.map(|column| column[i]))).collect();
+        let point = |index: usize| Vector3::from(points.map(|column| column[index]));
+        let neighbours: Vec<Vector3<f64>> = self.indices().map(point).collect();
         let centroid = neighbours.iter().sum::<Vector3<f64>>() / neighbours.len().max(1) as f64;
         let scatter: Matrix3<f64> =
             neighbours.iter().map(|x| (x - centroid) * (x - centroid).transpose()).sum();
@@ -37,35 +57,66 @@ impl Neighbourhood {
     }
 
     fn none() -> Self {
-        Self { squares: [f64::INFINITY; NEIGHBOUR], indices: [0; NEIGHBOUR] }
+        Self([NONE; NEIGHBOUR])
     }
 
-    fn take(&mut self, square: f64, index: usize) {
-        if square < self.squares[NEIGHBOUR - 1] {
-            let rank = self.squares.partition_point(|&nearer| nearer <= square);
-            self.squares[rank..].rotate_right(1);
-            self.indices[rank..].rotate_right(1);
-            (self.squares[rank], self.indices[rank]) = (square, index);
+    fn worst(&self) -> Key {
+        self.0[NEIGHBOUR - 1]
+    }
+
+    /// Sorts a point in, if it is nearer than the last: without branches, whose outcome nobody
+    /// could foresee.
+    fn take(&mut self, mut key: Key) {
+        if key < self.worst() {
+            for place in &mut self.0 {
+                (*place, key) = ((*place).min(key), (*place).max(key));
+            }
         }
     }
 }
 
-/// The eight nearest neighbours of each point.
-///
-/// Points are taken in the order of their widest coordinate, and each looks both ways until
-/// that coordinate alone is farther off.
+/// The eight nearest neighbours of each point, of [`MOST_POINTS`] at most.
 pub(crate) fn neighbourhoods(points: PointColumns) -> Vec<Neighbourhood> {
-    let widest = widest_column(points);
-    let mut order: Vec<usize> = (0..points[0].len()).collect();
-    order.sort_by(|&i, &j| points[widest][i].total_cmp(&points[widest][j]));
-    let sorted: Vec<[f64; 3]> =
-        order.iter().map(|&i| [0, 1, 2].map(|k| points[(widest + k) % 3][i])).collect();
-
-    let mut neighbourhoods = vec![Neighbourhood::none(); sorted.len()];
-    for (place, &index) in order.iter().enumerate() {
-        neighbourhoods[index] = neighbourhood(&sorted, &order, place);
+    let strips = strips(points);
+    let mut neighbourhoods = vec![Neighbourhood::none(); points[0].len()];
+    for (place, strip) in strips.iter().enumerate() {
+        for point in &strip.points {
+            neighbourhoods[point.index] = neighbourhood(&strips, place, point);
+        }
     }
     neighbourhoods
+}
+
+/// A point, its coordinates in the order of the strips.
+#[derive(Debug, Clone, Copy)]
+struct Placed {
+    x: [f64; 3],
+    index: usize,
+}
+
+/// Points that follow each other along the first coordinate, in the order of the second.
+#[derive(Debug)]
+struct Strip {
+    /// Least and greatest first coordinate.
+    range: [f64; 2],
+    points: Vec<Placed>,
+}
+
+/// The points in strips across their widest coordinate, about as many as there are in each.
+/// By rank, not by width: a few far points do not crowd the others together.
+fn strips(points: PointColumns) -> Vec<Strip> {
+    let widest = widest_column(points);
+    let placed =
+        |index: usize| Placed { x: [0, 1, 2].map(|k| points[(widest + k) % 3][index]), index };
+    let mut all: Vec<Placed> = (0..points[0].len()).map(placed).collect();
+    all.sort_by(|a, b| a.x[0].total_cmp(&b.x[0]));
+    let strip = |points: &[Placed]| {
+        let range = [points[0].x[0], points[points.len() - 1].x[0]];
+        let mut points = points.to_vec();
+        points.sort_by(|a, b| a.x[1].total_cmp(&b.x[1]));
+        Strip { range, points }
+    };
+    all.chunks(all.len().isqrt().max(1)).map(strip).collect()
 }
 
 fn widest_column(points: PointColumns) -> usize {
@@ -77,22 +128,42 @@ fn widest_column(points: PointColumns) -> usize {
     (0..3).fold(0, |widest, k| if widths[k] > widths[widest] { k } else { widest })
 }
 
-/// The neighbours of a point among those that are sorted by their first coordinate.
-fn neighbourhood(sorted: &[[f64; 3]], order: &[usize], place: usize) -> Neighbourhood {
-    let here = sorted[place];
+/// The neighbours of a point of a strip: it and those beside it are looked through until the first
+/// coordinate alone is farther off.
+fn neighbourhood(strips: &[Strip], place: usize, here: &Placed) -> Neighbourhood {
     let mut found = Neighbourhood::none();
-    let mut is_within_reach = |other: usize| {
-        let [dx, dy, dz] = [0, 1, 2].map(|k| sorted[other][k] - here[k]);
-        found.take(dx * dx + dy * dy + dz * dz, order[other]);
-        dx * dx < found.squares[NEIGHBOUR - 1]
-    };
-    let (mut below, mut above) = ((0..place).rev(), place + 1..sorted.len());
-    let (mut look_below, mut look_above) = (true, true);
-    while look_below || look_above {
-        look_below = look_below && below.next().is_some_and(&mut is_within_reach);
-        look_above = look_above && above.next().is_some_and(&mut is_within_reach);
+    strips[place].look_through(here, &mut found);
+    for strip in strips[..place].iter().rev() {
+        if (here.x[0] - strip.range[1]).powi(2) >= square(found.worst()) {
+            break;
+        }
+        strip.look_through(here, &mut found);
+    }
+    for strip in &strips[place + 1..] {
+        if (strip.range[0] - here.x[0]).powi(2) >= square(found.worst()) {
+            break;
+        }
+        strip.look_through(here, &mut found);
     }
     found
+}
+
+impl Strip {
+    /// Takes the points that are nearer than those found, both ways until the second coordinate
+    /// alone is farther off.
+    fn look_through(&self, here: &Placed, found: &mut Neighbourhood) {
+        let middle = self.points.partition_point(|point| point.x[1] < here.x[1]);
+        let mut is_within_reach = |other: &Placed| {
+            let [dx, dy, dz] = [0, 1, 2].map(|k| other.x[k] - here.x[k]);
+            if other.index != here.index {
+                found.take(key(dx * dx + dy * dy + dz * dz, other.index));
+            }
+            dy * dy < square(found.worst())
+        };
+        let (below, above) = self.points.split_at(middle);
+        let _ = below.iter().rev().all(&mut is_within_reach);
+        let _ = above.iter().all(&mut is_within_reach);
+    }
 }
 
 #[cfg(test)]
@@ -119,8 +190,8 @@ mod tests {
             let mut order: Vec<usize> = (0..300).collect();
             order.sort_by(|&j, &k| all[j].total_cmp(&all[k]));
             // The first is the point itself.
-            assert_eq!(found.indices[..], order[1..=NEIGHBOUR]);
-            assert!((found.reach() - all[order[NEIGHBOUR]].sqrt()).abs() < 1e-14);
+            assert!(found.indices().eq(order[1..=NEIGHBOUR].iter().copied()));
+            assert!((found.reach() - all[order[NEIGHBOUR]].sqrt()).abs() < 1e-10);
         }
     }
 

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::clutter::{Clutter, seen_area};
 use super::evidence::{Evidence, FreeSpace, SeenArea, Support};
 use super::mixture::Room;
-use super::neighbours::{Neighbourhood, neighbourhoods};
+use super::neighbours::{MOST_POINTS, Neighbourhood, neighbourhoods};
 use super::normalization::Moments;
 use super::options::FitOptions;
 use super::sight::Sight;
@@ -14,6 +14,7 @@ use crate::cloud::PointColumns;
 
 /// Most points of the sample.
 const SAMPLE: usize = 3_000;
+const _: () = assert!(SAMPLE <= MOST_POINTS);
 
 /// Most rays to points of the sample that are looked along.
 const RAYS_TO_POINTS: usize = 100;
