@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use super::kernel::InstructionSetError;
+
 /// A cloud that does not determine a solid.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum FitError {
@@ -46,6 +48,9 @@ pub enum FitError {
         /// What the system says.
         reason: String,
     },
+    /// The instruction set asked for is not to be had.
+    #[error(transparent)]
+    InstructionSet(#[from] InstructionSetError),
     /// The caller has asked to stop.
     #[error("the fit was interrupted")]
     Interrupted,

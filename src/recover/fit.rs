@@ -8,7 +8,7 @@ use super::doubt::{doubts, require_extent};
 use super::error::FitError;
 use super::evidence::Evidence;
 use super::found::{Found, Surface};
-use super::kernel::Residual;
+use super::kernel::{Residual, instruction_set};
 use super::normalization::Moments;
 use super::options::{Distance, FitOptions};
 use super::radial::PARAMETERS;
@@ -47,6 +47,7 @@ pub fn fit_unless(
     options: &FitOptions,
     is_interrupted: &(dyn Fn() -> bool + Sync),
 ) -> Result<Fit, FitError> {
+    instruction_set()?;
     let run = |parallel| fit_in_pool(cloud, options, parallel, is_interrupted);
     let is_large = cloud.len() >= PARALLEL_POINTS;
     let result = match options.threads.map(usize::from) {

@@ -3,7 +3,7 @@
 //!
 //! [`radial_row`]: crate::recover::radial::radial_row
 
-use super::elementary::{exp, ln, mul_add};
+use super::elementary::{exp, ln_1p_and_inverse, ln_ratio, mul_add};
 use super::gram::{BLOCK, Rows};
 use super::point::{Point, greater};
 use super::view::ModelView;
@@ -20,13 +20,15 @@ pub(super) struct Scratch {
     pub(super) equator: Column,
     /// `|z| / a3`.
     pub(super) axial: Column,
-    /// First least over greatest of the pair, then the logarithm of that ratio's power.
+    /// First the lesser of the pair, then the logarithm of the power of its ratio to the greater.
     pub(super) equator_log_power: Column,
     /// That power.
     pub(super) equator_power: Column,
     /// Logarithm of one plus that power.
     pub(super) equator_log_sum: Column,
-    /// First the equatorial norm over the axial magnitude, then its logarithm.
+    /// One over one plus that power.
+    pub(super) equator_share: Column,
+    /// Logarithm of the equatorial norm over the axial magnitude.
     pub(super) meridian_log_ratio: Column,
     /// The greatest of the three magnitudes on the side, equatorial or axial, that is greater.
     pub(super) greatest: Column,
@@ -38,6 +40,8 @@ pub(super) struct Scratch {
     pub(super) meridian_power: Column,
     /// Logarithm of one plus that power.
     pub(super) meridian_log_sum: Column,
+    /// One over one plus that power.
+    pub(super) meridian_share: Column,
     /// One over the gauge.
     pub(super) inverse_gauge: Column,
 }
@@ -52,12 +56,14 @@ impl Scratch {
             equator_log_power: zero,
             equator_power: zero,
             equator_log_sum: zero,
+            equator_share: zero,
             meridian_log_ratio: zero,
             greatest: zero,
             greatest_log_norm: zero,
             meridian_log_power: zero,
             meridian_power: zero,
             meridian_log_sum: zero,
+            meridian_share: zero,
             inverse_gauge: zero,
         }
     }
@@ -71,7 +77,10 @@ pub(super) fn write_rows<const FMA: bool, const GEOMETRIC: bool>(
     scratch: &mut Scratch,
     rows: &mut Rows,
 ) {
-    place(view, points, scratch);
+    match points.map(<&Column>::try_from) {
+        [Ok(x), Ok(y), Ok(z)] => place(view, [x, y, z], scratch),
+        _ => place(view, padded(points).each_ref(), scratch),
+    }
     equatorial_powers::<FMA>(view, scratch);
     meridional_ratios::<FMA>(view, scratch);
     meridional_sides(view, scratch);
@@ -87,10 +96,9 @@ pub(super) fn write_rows<const FMA: bool, const GEOMETRIC: bool>(
     }
 }
 
-/// Points in the model's frame, and the ratios whose logarithms are wanted.
+/// Points in the model's frame, and the magnitudes whose ratios are wanted.
 #[inline(always)]
-fn place(view: &ModelView, points: [&[f64]; 3], scratch: &mut Scratch) {
-    let [px, py, pz] = padded(points);
+fn place(view: &ModelView, [px, py, pz]: [&Column; 3], scratch: &mut Scratch) {
     let [ia, ib, ic] = view.inverse_size;
     for i in 0..BLOCK {
         let [x, y, z] = view.model_from_cloud([px[i], py[i], pz[i]]);
@@ -100,15 +108,13 @@ fn place(view: &ModelView, points: [&[f64]; 3], scratch: &mut Scratch) {
         let u = greater(x.abs() * ia, TINY);
         let v = greater(y.abs() * ib, TINY);
         let w = greater(z.abs() * ic, TINY);
-        let equator = greater(u, v);
-        scratch.equator[i] = equator;
+        scratch.equator[i] = if u > v { u } else { v };
+        scratch.equator_log_power[i] = if u > v { v } else { u };
         scratch.axial[i] = w;
-        scratch.equator_log_power[i] = if u > v { v / u } else { u / v };
-        scratch.meridian_log_ratio[i] = equator / w;
     }
 }
 
-/// The points' coordinates in whole blocks; the model's own surroundings do not matter to
+/// The coordinates of the last points in a whole block; the model's own surroundings do not matter to
 /// the padding, whose rows are discarded.
 #[inline(always)]
 fn padded(points: [&[f64]; 3]) -> [Column; 3] {
@@ -123,7 +129,8 @@ fn padded(points: [&[f64]; 3]) -> [Column; 3] {
 fn equatorial_powers<const FMA: bool>(view: &ModelView, scratch: &mut Scratch) {
     let power = 2.0 / view.exponents[1];
     for i in 0..BLOCK {
-        let log_power = greater(power * ln::<FMA>(scratch.equator_log_power[i]), LOG_FLOOR);
+        let log_ratio = ln_ratio::<FMA>(scratch.equator_log_power[i], scratch.equator[i]);
+        let log_power = greater(power * log_ratio, LOG_FLOOR);
         scratch.equator_log_power[i] = log_power;
         scratch.equator_power[i] = exp::<FMA>(log_power);
     }
@@ -133,9 +140,11 @@ fn equatorial_powers<const FMA: bool>(view: &ModelView, scratch: &mut Scratch) {
 fn meridional_ratios<const FMA: bool>(view: &ModelView, scratch: &mut Scratch) {
     let [e1, e2] = view.exponents;
     for i in 0..BLOCK {
-        let log_sum = ln::<FMA>(1.0 + scratch.equator_power[i]);
-        let log_ratio = mul_add::<FMA>(0.5 * e2, log_sum, ln::<FMA>(scratch.meridian_log_ratio[i]));
+        let (log_sum, share) = ln_1p_and_inverse::<FMA>(scratch.equator_power[i]);
+        let log_ratio = ln_ratio::<FMA>(scratch.equator[i], scratch.axial[i]);
+        let log_ratio = mul_add::<FMA>(0.5 * e2, log_sum, log_ratio);
         scratch.equator_log_sum[i] = log_sum;
+        scratch.equator_share[i] = share;
         scratch.meridian_log_ratio[i] = log_ratio;
         scratch.meridian_log_power[i] = greater(-2.0 / e1 * log_ratio.abs(), LOG_FLOOR);
     }
@@ -159,8 +168,9 @@ fn meridional_powers<const FMA: bool>(view: &ModelView, scratch: &mut Scratch) {
     let e1 = view.exponents[0];
     for i in 0..BLOCK {
         let power = exp::<FMA>(scratch.meridian_log_power[i]);
-        let log_sum = ln::<FMA>(1.0 + power);
+        let (log_sum, share) = ln_1p_and_inverse::<FMA>(power);
         scratch.meridian_power[i] = power;
+        scratch.meridian_share[i] = share;
         scratch.meridian_log_sum[i] = log_sum;
         let log_norm = mul_add::<FMA>(0.5 * e1, log_sum, scratch.greatest_log_norm[i]);
         scratch.inverse_gauge[i] = exp::<FMA>(-log_norm) / scratch.greatest[i];

@@ -4,7 +4,7 @@
 use crate::recover::radial::PARAMETERS;
 
 /// Rows evaluated at a time: their columns stay in the first-level cache.
-pub(super) const BLOCK: usize = 128;
+pub(super) const BLOCK: usize = 64;
 
 /// Columns: the residual, then its derivatives.
 pub(crate) const COLUMNS: usize = PARAMETERS + 1;

@@ -5,13 +5,14 @@
 //! tests hold every path against it.
 
 mod block;
-mod dispatch;
 mod elementary;
 mod gram;
 mod point;
+mod simd;
 mod view;
 
 pub(crate) use gram::{COLUMNS, Gram};
+pub use simd::{InstructionSet, InstructionSetError, instruction_set};
 pub(crate) use view::{ModelView, Residual};
 
 use rayon::prelude::*;
@@ -34,10 +35,11 @@ pub(crate) fn gram(
     parallel: bool,
 ) -> Gram {
     let count = points[0].len();
+    let set = set_in_use();
     let chunk = |index: usize| {
         let range = index * CHUNK..count.min((index + 1) * CHUNK);
         let factors = factors.map(|factors| &factors[range.clone()]);
-        dispatch::gram(view, points.map(|column| &column[range.clone()]), factors)
+        simd::gram(set, view, points.map(|column| &column[range.clone()]), factors)
     };
     let chunks = count.div_ceil(CHUNK);
     if !parallel || chunks < 2 {
@@ -54,9 +56,10 @@ pub(crate) fn geometric_squares(
     parallel: bool,
 ) -> Vec<f64> {
     let mut squares = vec![0.0; points[0].len()];
+    let set = set_in_use();
     let fill = |(index, squares): (usize, &mut [f64])| {
         let range = index * CHUNK..index * CHUNK + squares.len();
-        dispatch::geometric_squares(view, points.map(|column| &column[range.clone()]), squares);
+        simd::geometric_squares(set, view, points.map(|column| &column[range.clone()]), squares);
     };
     if parallel {
         squares.par_chunks_mut(CHUNK).enumerate().for_each(fill);
@@ -64,6 +67,11 @@ pub(crate) fn geometric_squares(
         squares.chunks_mut(CHUNK).enumerate().for_each(fill);
     }
     squares
+}
+
+/// A wish that cannot be met is an error of the fit, which has asked before.
+fn set_in_use() -> InstructionSet {
+    instruction_set().unwrap_or(InstructionSet::Portable)
 }
 
 fn sum(grams: impl IntoIterator<Item = Gram>) -> Gram {

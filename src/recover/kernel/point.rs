@@ -18,7 +18,10 @@ pub(super) fn greater(a: f64, b: f64) -> f64 {
 /// What the rows of one point are made of.
 pub(super) struct Point {
     x: [f64; 3],
-    radius: f64,
+    /// `1 / |x_i|`, of coordinates that are not told from zero that of the least that are.
+    inverse: [f64; 3],
+    /// `1 / |x|`.
+    inverse_radius: f64,
     /// Distance of the surface along the ray.
     surface: f64,
     /// The signed radial distance.
@@ -49,9 +52,9 @@ impl Point {
         let my = greater(x[1].abs(), TINY * b);
         let mz = greater(x[2].abs(), TINY * c);
 
-        let equator_greatest = 1.0 / (1.0 + scratch.equator_power[i]);
+        let equator_greatest = scratch.equator_share[i];
         let equator_least = scratch.equator_power[i] * equator_greatest;
-        let meridian_greatest = 1.0 / (1.0 + scratch.meridian_power[i]);
+        let meridian_greatest = scratch.meridian_share[i];
         let meridian_least = scratch.meridian_power[i] * meridian_greatest;
         let is_x_greatest = mx * ia > my * ib;
         let share_x = if is_x_greatest { equator_greatest } else { equator_least };
@@ -67,16 +70,21 @@ impl Point {
 
         let radius = (mx * mx + my * my + mz * mz).sqrt();
         let surface = radius * scratch.inverse_gauge[i];
-        let stretch = (1.0 - scratch.inverse_gauge[i]) / radius;
-        let slopes = [alpha[0] / mx, alpha[1] / my, alpha[2] / mz];
+        // Two divisions for four reciprocals.
+        let (of_x_and_y, of_z_and_radius) = (1.0 / (mx * my), 1.0 / (mz * radius));
+        let inverse = [my * of_x_and_y, mx * of_x_and_y, radius * of_z_and_radius];
+        let inverse_radius = mz * of_z_and_radius;
+        let stretch = (1.0 - scratch.inverse_gauge[i]) * inverse_radius;
+        let slopes = [alpha[0] * inverse[0], alpha[1] * inverse[1], alpha[2] * inverse[2]];
         let n = [
-            x[0] * stretch + signed(surface * slopes[0], x[0]),
-            x[1] * stretch + signed(surface * slopes[1], x[1]),
-            x[2] * stretch + signed(surface * slopes[2], x[2]),
+            x[0] * stretch + with_sign_of(x[0], surface * slopes[0]),
+            x[1] * stretch + with_sign_of(x[1], surface * slopes[1]),
+            x[2] * stretch + with_sign_of(x[2], surface * slopes[2]),
         ];
         Self {
             x,
-            radius,
+            inverse,
+            inverse_radius,
             surface,
             distance: radius - surface,
             n,
@@ -141,11 +149,16 @@ impl Point {
         let (meridian, equator) = (a * (2.0 / e1), b * (2.0 / e2));
         let by_size =
             [meridian * self.shares[0] + equator, meridian * self.shares[1] - equator, -meridian];
-        let flattening = 1.0 / (self.radius * self.radius);
+        let flattening = self.inverse_radius * self.inverse_radius;
+        let slopes = [
+            (by_size[0] - beta[0]) * self.inverse[0],
+            (by_size[1] - beta[1]) * self.inverse[1],
+            (by_size[2] - beta[2]) * self.inverse[2],
+        ];
         let n = [
-            x * flattening + quotient(by_size[0] - beta[0], x),
-            y * flattening + quotient(by_size[1] - beta[1], y),
-            z * flattening + quotient(by_size[2] - beta[2], z),
+            x * flattening + with_sign_of(x, slopes[0]),
+            y * flattening + with_sign_of(y, slopes[1]),
+            z * flattening + with_sign_of(z, slopes[2]),
         ];
         let moment = cross(n, self.x);
         let log_gradient = [
@@ -171,18 +184,11 @@ impl Point {
     }
 }
 
-/// A magnitude with the sign of `x`; zero at zero.
+/// `value` times the sign of `x`; zero at zero.
 #[inline(always)]
-fn signed(magnitude: f64, x: f64) -> f64 {
-    let signed = magnitude.copysign(x);
+fn with_sign_of(x: f64, value: f64) -> f64 {
+    let signed = value * 1.0_f64.copysign(x);
     if x == 0.0 { 0.0 } else { signed }
-}
-
-/// `a / x`; zero at zero.
-#[inline(always)]
-fn quotient(a: f64, x: f64) -> f64 {
-    let quotient = a / x;
-    if x == 0.0 { 0.0 } else { quotient }
 }
 
 #[inline(always)]

@@ -145,16 +145,26 @@ fn every_path_sums_the_scalar_rows() {
     }
 }
 
+fn each_square(set: InstructionSet, view: &ModelView, points: [&[f64]; 3]) -> Vec<f64> {
+    let mut squares = vec![0.0; points[0].len()];
+    simd::geometric_squares(set, view, points, &mut squares);
+    squares
+}
+
 fn assert_sums_agree(view: &ModelView, points: &[[f64; 3]]) {
     let [x, y, z] = columns(points);
     let rows: Vec<_> = points.iter().map(|point| scalar_row(view, *point)).collect();
     let scales: Vec<_> = points.iter().map(|point| scales(view, *point)).collect();
     let squares: Vec<_> = points.iter().map(|point| squares(view, *point)).collect();
     let [radial, geometric] = [0, 1].map(|k| squares.iter().map(|s| s[k]).sum::<f64>());
-    for actual in [
-        dispatch::gram(view, [&x, &y, &z], None),
-        dispatch::gram_portable(view, [&x, &y, &z], None),
-    ] {
+    for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
+        let actual = simd::gram(set, view, [&x, &y, &z], None);
+        let each = each_square(set, view, [&x, &y, &z]);
+        assert!(
+            each.iter()
+                .zip(&squares)
+                .all(|(each, [_, s])| (each - s).abs() <= TOLERANCE * geometric)
+        );
         assert!((actual.radial_squares - radial).abs() <= TOLERANCE * radial);
         assert!((actual.geometric_squares - geometric).abs() <= TOLERANCE * geometric);
         for i in 0..COLUMNS {

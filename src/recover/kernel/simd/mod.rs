@@ -1,0 +1,106 @@
+//! One body of a pass, compiled for each instruction set: with the files beside it the only
+//! place of `unsafe` code.
+//!
+//! Invariants:
+//! - a function compiled for a target feature is called only where [`instruction_set`] says that
+//!   the processor has it;
+//! - a register is loaded only from a slice or array that is as long as the register is wide.
+#![allow(unsafe_code)]
+
+#[cfg(target_arch = "x86_64")]
+mod avx2;
+#[cfg(target_arch = "x86_64")]
+mod avx512;
+mod choice;
+#[cfg(target_arch = "x86_64")]
+mod path;
+
+pub use choice::{InstructionSet, InstructionSetError, instruction_set};
+
+use super::block::{Scratch, write_rows};
+use super::gram::{BLOCK, Gram, PortableTile, Rows, TileProducts};
+use super::view::ModelView;
+
+/// The Gram matrix over the points; each row multiplied by its factor, where there are any.
+pub(super) fn gram(
+    set: InstructionSet,
+    view: &ModelView,
+    points: [&[f64]; 3],
+    factors: Option<&[f64]>,
+) -> Gram {
+    match set {
+        // SAFETY: an instruction set is named only if the processor has it.
+        #[cfg(target_arch = "x86_64")]
+        InstructionSet::Avx512 => unsafe { avx512::gram(view, points, factors) },
+        // SAFETY: as above.
+        #[cfg(target_arch = "x86_64")]
+        InstructionSet::Avx2 => unsafe { avx2::gram(view, points, factors) },
+        _ => gram_blocks::<PortableTile, false>(view, points, factors),
+    }
+}
+
+/// The squared geometric distance of each point.
+pub(super) fn geometric_squares(
+    set: InstructionSet,
+    view: &ModelView,
+    points: [&[f64]; 3],
+    squares: &mut [f64],
+) {
+    match set {
+        // SAFETY: an instruction set is named only if the processor has it.
+        #[cfg(target_arch = "x86_64")]
+        InstructionSet::Avx512 => unsafe { avx512::geometric_squares(view, points, squares) },
+        // SAFETY: as above.
+        #[cfg(target_arch = "x86_64")]
+        InstructionSet::Avx2 => unsafe { avx2::geometric_squares(view, points, squares) },
+        _ => squares_of::<false>(view, points, squares),
+    }
+}
+
+/// The body of every path, compiled anew inside each, and once for each residual.
+#[inline(always)]
+fn gram_blocks<P: TileProducts, const FMA: bool>(
+    view: &ModelView,
+    points: [&[f64]; 3],
+    factors: Option<&[f64]>,
+) -> Gram {
+    if view.is_geometric {
+        gram_of::<P, FMA, true>(view, points, factors)
+    } else {
+        gram_of::<P, FMA, false>(view, points, factors)
+    }
+}
+
+#[inline(always)]
+fn gram_of<P: TileProducts, const FMA: bool, const GEOMETRIC: bool>(
+    view: &ModelView,
+    points: [&[f64]; 3],
+    factors: Option<&[f64]>,
+) -> Gram {
+    let mut scratch = Scratch::new();
+    let mut rows = Rows::new();
+    let mut total = Gram::zero();
+    let count = points[0].len();
+    for start in (0..count).step_by(BLOCK) {
+        let end = count.min(start + BLOCK);
+        let block = points.map(|column| &column[start..end]);
+        write_rows::<FMA, GEOMETRIC>(view, block, &mut scratch, &mut rows);
+        if let Some(factors) = factors {
+            rows.multiply(&factors[start..end]);
+        }
+        total.add_block::<P>(&rows);
+    }
+    total
+}
+
+#[inline(always)]
+fn squares_of<const FMA: bool>(view: &ModelView, points: [&[f64]; 3], squares: &mut [f64]) {
+    let mut scratch = Scratch::new();
+    let mut rows = Rows::new();
+    for (index, squares) in squares.chunks_mut(BLOCK).enumerate() {
+        let start = index * BLOCK;
+        let block = points.map(|column| &column[start..start + squares.len()]);
+        write_rows::<FMA, false>(view, block, &mut scratch, &mut rows);
+        squares.copy_from_slice(&rows.geometric_squares[..squares.len()]);
+    }
+}
