@@ -137,9 +137,15 @@ fn search(all: &PointSet, moments: &Moments, seed: u64) -> Search {
             let some = Subset::stratified(all.points, count, seed);
             let some = PointSet { points: some.columns(), parallel: false, ..*all };
             search.refine(&some, &MEDIUM, finalists);
+            if finalists == FINALISTS {
+                search.look_again(&some, &MEDIUM);
+            }
             finalists = 1;
         }
     }
     search.refine(all, &FINISH, finalists);
+    if finalists == FINALISTS {
+        search.look_again(all, &FINISH);
+    }
     search
 }

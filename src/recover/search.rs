@@ -4,7 +4,7 @@
 use super::descent::{Descent, Effort, PointSet, descend};
 use super::normalization::Moments;
 use super::start::{ambiguous_starts, principal_starts};
-use super::switches::switches;
+use super::switches::{deflated, switches};
 use crate::model::Model;
 
 /// A switch must lower the loss by this share to be taken.
@@ -12,6 +12,15 @@ const WORTHWHILE: f64 = 0.99;
 
 /// Rounds of switches: as many as axis and dual can both be wrong.
 const SWITCH_ROUNDS: usize = 4;
+
+/// What lets a second look be worth while: noise above this share of the RMS radius, and a model
+/// of which this many times the area that is seen is there.
+const NOISY: f64 = 0.015;
+const HALF_SEEN: f64 = 1.3;
+
+/// Rounds of a second look, and the gain in the logarithm of the likelihood that calls for another.
+const LOOKS: usize = 2;
+const LIKELIER: f64 = 1.0;
 
 /// A model whose loss is this many times the best one's is not taken on.
 const HOPELESS: f64 = 4.0;
@@ -40,11 +49,11 @@ impl Search {
     /// Descends from the principal axes, by switches, and from the frames between them.
     pub fn coarse(points: &PointSet, moments: &Moments) -> Self {
         let mut search = Self::default();
-        search.try_all(points, &principal_starts(moments));
+        search.try_all(points, &principal_starts(moments), &BRIEF);
         search.try_switches(points);
         if !search.has_clear_winner() {
             let before = search.least_loss();
-            search.try_all(points, &ambiguous_starts(moments));
+            search.try_all(points, &ambiguous_starts(moments), &BRIEF);
             if search.least_loss() < WORTHWHILE * before {
                 search.try_switches(points);
             }
@@ -59,6 +68,23 @@ impl Search {
         }
     }
 
+    /// Where noise is great and one side is all that is seen, few points tell the minima apart badly:
+    /// looks for better ones around the best, on points and under the residual it was found by.
+    pub fn look_again(&mut self, points: &PointSet, effort: &Effort) {
+        for _ in 0..LOOKS {
+            let Some(best) = self.candidates.first().filter(|best| is_open(points, best)) else {
+                return;
+            };
+            let (model, before) = (best.model, best.loss);
+            let starts = switches(&model).into_iter().chain(deflated(&model));
+            self.try_all(points, &starts.collect::<Vec<_>>(), effort);
+            let gain = 0.5 * points.weight() * (before / self.least_loss()).ln();
+            if gain < LIKELIER {
+                return;
+            }
+        }
+    }
+
     /// The best descent.
     pub fn into_best(self) -> Option<Descent> {
         self.candidates.into_iter().next()
@@ -69,7 +95,7 @@ impl Search {
         for _ in 0..SWITCH_ROUNDS {
             let Some(best) = self.candidates.first() else { return };
             let (model, before) = (best.model, best.loss);
-            self.try_all(points, &switches(&model));
+            self.try_all(points, &switches(&model), &BRIEF);
             if self.least_loss() >= WORTHWHILE * before {
                 return;
             }
@@ -102,10 +128,10 @@ impl Search {
         self.candidates.first().map_or(f64::INFINITY, |best| best.loss)
     }
 
-    fn try_all(&mut self, points: &PointSet, starts: &[Model]) {
+    fn try_all(&mut self, points: &PointSet, starts: &[Model], effort: &Effort) {
         for start in starts {
             self.starts += 1;
-            self.descend(points, start, &BRIEF);
+            self.descend(points, start, effort);
         }
     }
 
@@ -117,6 +143,13 @@ impl Search {
             self.candidates.insert(place, descent);
         }
     }
+}
+
+/// Whether noise and what is not seen leave the best minimum in doubt.
+fn is_open(points: &PointSet, best: &Descent) -> bool {
+    let unseen =
+        points.evidence.seen_area.is_some_and(|seen| seen.ratio(&best.model.shape) > HALF_SEEN);
+    unseen && best.geometric_mean_square.sqrt() > NOISY
 }
 
 /// Whether two models that brief descents have ended in are on the way to one minimum.

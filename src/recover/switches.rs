@@ -1,5 +1,5 @@
 //! Jumps between the minima in which a superellipsoid can hide from its true parameters: the
-//! wrong axis for z, and the dual turned by 45 degrees.
+//! wrong axis for z, the dual turned by 45 degrees, and of what is seen on one side the giant.
 
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 
@@ -13,12 +13,25 @@ use crate::shape::Superellipsoid;
 /// How far inside their bounds the exponents of a switched model are kept.
 const MARGIN: f64 = 0.05;
 
+/// How much smaller a deflated model is, and how much of its exponents' difference from one is left.
+const DEFLATION: f64 = 0.7;
+const EDGE_LEFT: f64 = 0.6;
+
 /// The models to try beside a model that a descent has ended in.
 pub(crate) fn switches(model: &Model) -> Vec<Model> {
     [axis_switch(model, [1, 2, 0]), axis_switch(model, [2, 0, 1]), dual_switch(model)]
         .into_iter()
         .flatten()
         .collect()
+}
+
+/// The model shrunk towards the points' centroid, the origin, and rounded: descents grow sizes and
+/// sharpen edges more readily than they take them back.
+pub(crate) fn deflated(model: &Model) -> Option<Model> {
+    let exponents = model.shape.exponents().map(|e| 1.0 + EDGE_LEFT * (e - 1.0));
+    let shape = Superellipsoid::new(model.shape.size().map(|a| DEFLATION * a), exponents).ok()?;
+    let pose = Pose::new(*model.pose.rotation(), model.pose.translation() * DEFLATION);
+    Some(Model { shape, pose })
 }
 
 /// The model whose axes x, y, z are those of `model` in this (cyclic) order, with the exponents

@@ -29,6 +29,11 @@ impl SeenArea {
         Self(self.0 * ratio * ratio)
     }
 
+    /// The area of a shape over that seen.
+    pub fn ratio(&self, shape: &Superellipsoid) -> f64 {
+        approximate_area(shape).0 / self.0
+    }
+
     /// Multiplies the cost C of n points to `C (1 + r^2 / n)`, r being the model's excess area in
     /// deviations: as -2 log likelihood is `n ln C + r^2`, whatever the noise.
     pub fn add_to(&self, gram: &mut Gram, model: &Model, weight: f64) {
