@@ -158,14 +158,19 @@ fn info_tells_volume_and_extents_of_a_bare_model() {
 #[test]
 fn mesh_writes_every_format_and_refuses_others() {
     let folder = TempDir::new().unwrap();
-    for (name, magic) in [("m.ply", &b"ply"[..]), ("m.obj", b"v "), ("m.stl", b"")] {
+    for (name, magic) in [
+        ("m.ply", &b"ply"[..]),
+        ("m.obj", b"# superquadric {"),
+        ("m.stl", b"SQE1"),
+        ("m.glb", b"glTF"),
+    ] {
         let path = in_folder(&folder, name);
         assert_done(&run_with_input(&["mesh", "-", "-o", &path], BARE.as_bytes()));
         assert!(fs::read(&path).unwrap().starts_with(magic));
     }
     let path = in_folder(&folder, "m.step");
     let output = run_with_input(&["mesh", "-", "-o", &path], BARE.as_bytes());
-    assert_refused(&output, &["m.step", "ply, obj or stl"]);
+    assert_refused(&output, &["m.step", "ply, obj, stl or glb"]);
     assert!(!Path::new(&path).exists());
 }
 

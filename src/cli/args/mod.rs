@@ -83,12 +83,12 @@ impl SearchArgs {
     }
 }
 
-/// Write a mesh of a model's surface.
+/// Write a mesh of a model's surface, with the model's parameters in the file.
 #[derive(Debug, clap::Args)]
 pub(super) struct MeshArgs {
     /// A fit or a bare model in JSON; - is stdin.
     pub model: PathBuf,
-    /// File to write: .ply, .obj or .stl.
+    /// File to write: .ply, .obj, .stl or .glb.
     #[arg(short, long, value_name = "MESH")]
     pub output: PathBuf,
     /// Segments along each edge of the mesh's lattice (even).
