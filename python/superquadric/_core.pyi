@@ -15,6 +15,7 @@ __all__ = [
     "Contour",
     "DepthMap",
     "DocumentError",
+    "ExchangeError",
     "Fit",
     "FitError",
     "ImageError",
@@ -26,7 +27,9 @@ __all__ = [
     "__version__",
     "_evaluate_suite",
     "contour",
+    "export_model",
     "fit",
+    "import_models",
     "read",
     "read_depth",
     "rim",
@@ -41,6 +44,7 @@ class ArrayError(SuperquadricError): ...
 class BatchError(SuperquadricError): ...
 class CloudError(SuperquadricError): ...
 class DocumentError(SuperquadricError): ...
+class ExchangeError(SuperquadricError): ...
 class FitError(SuperquadricError): ...
 class ImageError(SuperquadricError): ...
 class ViewError(SuperquadricError): ...
@@ -245,6 +249,14 @@ def _evaluate_suite(
     on_scene: Callable[[int, int], object] | None = None,
 ) -> None: ...
 def contour(model: Superellipsoid | Fit, camera: Camera) -> Contour: ...
+def export_model(
+    model: Superellipsoid | Fit,
+    to: Literal["vtk", "ovito", "liggghts", "lammps", "mercury", "pov", "ems", "supercompose"],
+) -> str: ...
+def import_models(
+    text: str,
+    source: Literal["ovito", "liggghts", "lammps", "mercury", "ems", "supercompose"],
+) -> list[Superellipsoid]: ...
 def fit(
     points: ArrayLike,
     *,

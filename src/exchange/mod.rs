@@ -56,6 +56,20 @@ impl ExportFormat {
         Self::SuperCompose,
     ];
 
+    /// The name that the program goes by, in lower case.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Vtk => "vtk",
+            Self::Ovito => "ovito",
+            Self::Liggghts => "liggghts",
+            Self::Lammps => "lammps",
+            Self::Mercury => "mercury",
+            Self::Pov => "pov",
+            Self::Ems => "ems",
+            Self::SuperCompose => "supercompose",
+        }
+    }
+
     /// The text that makes this model in the program. Numbers read back as the same doubles.
     ///
     /// # Errors
@@ -95,6 +109,18 @@ impl ImportFormat {
     /// All of them.
     pub const ALL: [Self; 6] =
         [Self::Ovito, Self::Liggghts, Self::Lammps, Self::Mercury, Self::Ems, Self::SuperCompose];
+
+    /// The name that the program goes by, in lower case.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Ovito => "ovito",
+            Self::Liggghts => "liggghts",
+            Self::Lammps => "lammps",
+            Self::Mercury => "mercury",
+            Self::Ems => "ems",
+            Self::SuperCompose => "supercompose",
+        }
+    }
 
     /// The models of a text, in its order: at least one.
     ///

@@ -3,8 +3,9 @@
 import sys
 
 from vtkmodules.vtkCommonComputationalGeometry import vtkParametricSuperEllipsoid
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
+from vtkmodules.vtkFiltersGeneral import vtkTransformFilter
 from vtkmodules.vtkFiltersSources import vtkParametricFunctionSource, vtkSuperquadricSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
@@ -45,17 +46,19 @@ def parametric_super_ellipsoid(resolution=64):
 
 
 def in_world(source):
-    """The source, moved from the model's frame to the world, in doubles."""
+    """The source, moved from the model's frame to the world in doubles."""
     world_from_model = vtkTransform()
     world_from_model.SetMatrix(WORLD_FROM_MODEL)
-    moved = vtkTransformPolyDataFilter()
+    moved = vtkTransformFilter()
+    moved.SetOutputPointsPrecision(vtkAlgorithm.DOUBLE_PRECISION)
     moved.SetTransform(world_from_model)
     moved.SetInputConnection(source.GetOutputPort())
     return moved
 
 
 if __name__ == "__main__":
+    surface = superquadric_source()
     writer = vtkXMLPolyDataWriter()
     writer.SetFileName(sys.argv[1])
-    writer.SetInputConnection(superquadric_source().GetOutputPort())
+    writer.SetInputConnection(surface.GetOutputPort())
     writer.Write()

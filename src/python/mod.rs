@@ -4,6 +4,7 @@ mod arrays;
 mod batch;
 mod contour;
 mod errors;
+mod exchange;
 mod fit;
 mod interrupt;
 mod knowledge;
@@ -26,9 +27,11 @@ mod core {
     use super::contour::{PyContour, contour, rim};
     #[pymodule_export]
     use super::errors::{
-        ArrayError, BatchError, CloudError, DocumentError, FitError, ImageError, ModelError,
-        SuperquadricError, ViewError,
+        ArrayError, BatchError, CloudError, DocumentError, ExchangeError, FitError, ImageError,
+        ModelError, SuperquadricError, ViewError,
     };
+    #[pymodule_export]
+    use super::exchange::{export_model, import_models};
     #[pymodule_export]
     use super::fit::{PyFit, fit};
     #[pymodule_export]
