@@ -12,7 +12,7 @@ const LAST: f64 = 3.3;
 /// The integral of a function over an interval, by the double exponential rule of Takahasi and
 /// Mori (1974): it converges exponentially, though the function may have an infinite slope or an
 /// integrable pole at the ends.
-pub(crate) fn integral(f: impl Fn(f64) -> f64, [from, to]: [f64; 2]) -> f64 {
+fn integral(f: impl Fn(f64) -> f64, [from, to]: [f64; 2]) -> f64 {
     let length = to - from;
     let last = (LAST * f64::from(DENSITY)) as i32;
     let node = |i: i32| {
