@@ -44,6 +44,7 @@ pub mod cli;
 pub mod cloud;
 pub mod compare;
 pub mod error;
+pub mod exchange;
 pub mod math;
 pub mod model;
 pub mod output;

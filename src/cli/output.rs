@@ -34,7 +34,8 @@ pub(super) fn write_inliers(
     Ok(write_whole(path, |writer| cloud::write_inliers(cloud, is_inlier, writer))?)
 }
 
-/// Writes the mesh of a model, in the world, in the format of the file's extension.
+/// Writes the mesh of a model, in the world, in the format of the file's extension, and the model
+/// with it.
 pub(super) fn write_mesh(
     path: &Path,
     model: &Model,
@@ -42,5 +43,5 @@ pub(super) fn write_mesh(
 ) -> Result<(), CliError> {
     let format = MeshFormat::from_extension(path)?;
     let mesh = tessellate(&model.shape, resolution).transformed(&model.pose);
-    Ok(write_whole(path, |writer| format.write(&mesh, writer))?)
+    Ok(write_whole(path, |writer| format.write(&mesh, Some(model), writer))?)
 }

@@ -84,6 +84,13 @@ impl From<&Model> for ModelDocument {
     }
 }
 
+impl ModelDocument {
+    /// Indented JSON with a final newline.
+    pub fn to_json(&self) -> String {
+        to_json(self)
+    }
+}
+
 fn rows(matrix: &Matrix3<f64>) -> [[f64; 3]; 3] {
     matrix.transpose().into()
 }
