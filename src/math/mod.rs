@@ -1,8 +1,10 @@
 //! Special functions and elementary helpers; no geometry.
 
 mod beta;
+pub(crate) mod elementary;
 mod gamma_variate;
 mod signed_power;
+pub(crate) mod vectorized;
 
 pub use beta::beta;
 pub(crate) use gamma_variate::GammaVariate;
