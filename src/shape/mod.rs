@@ -6,6 +6,7 @@ mod mass;
 mod superellipse;
 mod superellipsoid;
 
+pub(crate) use arc::{greatest_arc_parameter, quarter_point};
 pub(crate) use gauge::{GaugeTerms, LOG_FLOOR, TINY, superellipse_norm};
 pub use mass::MassProperties;
 pub use superellipse::Superellipse;
