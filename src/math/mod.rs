@@ -1,11 +1,13 @@
 //! Special functions and elementary helpers; no geometry.
 
 mod beta;
+pub(crate) mod elementary;
 mod gamma_variate;
 mod maximum;
 mod quadrature;
 mod root;
 mod signed_power;
+pub(crate) mod vectorized;
 
 pub use beta::beta;
 pub(crate) use gamma_variate::GammaVariate;

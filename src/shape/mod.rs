@@ -19,6 +19,7 @@ mod supertoroid;
 mod three_exponent;
 mod two_sheets;
 
+pub(crate) use arc::{greatest_arc_parameter, quarter_point};
 pub use curvature::{Curvatures, FundamentalForms};
 pub use curve::{Curve, CurvePoint};
 pub use family::Shape;
