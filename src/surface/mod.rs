@@ -4,9 +4,11 @@ pub mod format;
 mod grading;
 mod lattice;
 mod mesh;
+mod parameterization;
 mod sample;
 mod tessellate;
 
 pub use mesh::Mesh;
+pub use parameterization::Parameterization;
 pub use sample::{sample_solid, sample_surface};
 pub use tessellate::{Resolution, ResolutionError, tessellate};
