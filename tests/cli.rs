@@ -206,7 +206,7 @@ fn what_cannot_be_exported_or_imported_is_told_with_its_file() {
     let folder = TempDir::new().unwrap();
     let bevelled = BARE.replace("[1, 1]", "[1, 1.5]");
     let output = run_with_input(&["export", "-", "--to", "lammps"], bevelled.as_bytes());
-    assert_refused(&output, &["stdin", "LAMMPS", "up to 1", "exponents[1] = 1.5"]);
+    assert_refused(&output, &["stdin", "LAMMPS", "from 0 to 1", "exponents[1] = 1.5"]);
 
     let two = in_folder(&folder, "two.txt");
     fs::write(&two, "1 1 1 2 3 0 0 0 0 0 0\n1 0.5 1 2 3 0 0 0 0 0 0\n").unwrap();

@@ -10,7 +10,7 @@ use crate::exchange::ExportFormat;
 pub(super) fn run(args: &ExportArgs) -> Result<u8, CliError> {
     let model = read_model(&args.model)?;
     let text = ExportFormat::from(args.to)
-        .text(&model)
+        .text(model)
         .map_err(|source| CliError::Export { name: name(&args.model), source })?;
     write_text(&args.output, &text)?;
     Ok(DONE)

@@ -23,7 +23,7 @@ use crate::exchange::{ExportFormat, ImportFormat};
 pub(super) fn export_model(model: &Bound<'_, PyAny>, to: &str) -> PyResult<String> {
     let format = ExportFormat::ALL.into_iter().find(|format| format.name() == to);
     let format = format.ok_or_else(|| unknown(&ExportFormat::ALL.map(ExportFormat::name), to))?;
-    Ok(format.text(&model_of(model)?)?)
+    Ok(format.text(model_of(model)?)?)
 }
 
 /// The models in a text of another program.

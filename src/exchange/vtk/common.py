@@ -2,7 +2,10 @@
 
 import sys
 
-from vtkmodules.vtkCommonComputationalGeometry import vtkParametricSuperEllipsoid
+from vtkmodules.vtkCommonComputationalGeometry import (
+    vtkParametricSuperEllipsoid,
+    vtkParametricSuperToroid,
+)
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersGeneral import vtkTransformFilter
@@ -17,32 +20,7 @@ WORLD_FROM_MODEL = (
 )
 
 
-def superquadric_source(resolution=64):
-    """vtkSuperquadricSource, about z, in the world."""
-    source = vtkSuperquadricSource()
-    source.SetAxisOfSymmetry(2)
-    source.SetSize(1.0)
-    source.SetScale(SIZE)
-    source.SetPhiRoundness(EXPONENTS[0])
-    source.SetThetaRoundness(EXPONENTS[1])
-    source.SetPhiResolution(resolution)
-    source.SetThetaResolution(resolution)
-    return in_world(source)
-
-
-def parametric_super_ellipsoid(resolution=64):
-    """vtkParametricSuperEllipsoid, in the world."""
-    function = vtkParametricSuperEllipsoid()
-    function.SetXRadius(SIZE[0])
-    function.SetYRadius(SIZE[1])
-    function.SetZRadius(SIZE[2])
-    function.SetN1(EXPONENTS[0])
-    function.SetN2(EXPONENTS[1])
-    source = vtkParametricFunctionSource()
-    source.SetParametricFunction(function)
-    source.SetUResolution(resolution)
-    source.SetVResolution(resolution)
-    return in_world(source)
+@SOURCES@
 
 
 def in_world(source):
