@@ -11,6 +11,8 @@ use superquadric::pose::Pose;
 use superquadric::shape::{
     Shape, Superellipsoid, SuperhyperboloidOneSheet, Supertoroid, ThreeExponent,
 };
+use superquadric::surface::format::MeshFormat;
+use superquadric::surface::{Resolution, tessellate};
 
 /// What is written as what it is read as.
 const BOTH_WAYS: [(ExportFormat, ImportFormat); 6] = [
@@ -258,6 +260,30 @@ proptest! {
                 for model in models {
                     prop_assert!(model.parameters().iter().all(|value| value.is_finite()));
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn damaged_meshes_give_a_model_or_an_error(
+        changes in prop::collection::vec((0_usize..2000, any::<u8>()), 0..4),
+        length in 0_usize..4000,
+    ) {
+        let model = Model {
+            shape: Superellipsoid::new([1.0, 2.0, 3.0], [0.3, 0.7]).unwrap(),
+            pose: Pose::from_euler_zyz([0.3, 1.1, -0.8], Vector3::new(1.5, -0.25, 7.0)),
+        };
+        let mesh = tessellate(&model.shape, Resolution::new(2).unwrap());
+        for format in [MeshFormat::Ply, MeshFormat::Obj, MeshFormat::Stl, MeshFormat::Glb] {
+            let mut bytes = Vec::new();
+            format.write(&mesh, Some(&model), &mut bytes).unwrap();
+            for &(place, byte) in &changes {
+                let place = place % bytes.len();
+                bytes[place] = byte;
+            }
+            bytes.truncate(length);
+            if let Ok(model) = format.read_model(&mut &bytes[..]) {
+                prop_assert!(model.parameters().iter().all(|value| value.is_finite()));
             }
         }
     }
