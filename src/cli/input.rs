@@ -7,7 +7,8 @@ use std::path::Path;
 use super::error::CliError;
 use crate::cloud::{self, PointCloud};
 use crate::model::Model;
-use crate::report::model_from_json;
+use crate::report::{any_model_from_json, model_from_json};
+use crate::shape::Shape;
 use crate::surface::format::MeshFormat;
 
 /// Most bytes that a model's document may have: a fit has less than a thousand.
@@ -32,10 +33,16 @@ pub(super) fn read_cloud(path: &Path) -> Result<PointCloud, CliError> {
     }
 }
 
-/// The model in a JSON file or on stdin.
+/// The superellipsoid in a JSON file or on stdin.
 pub(super) fn read_model(path: &Path) -> Result<Model, CliError> {
     let text = read_text(path, MODEL_BYTES)?;
     model_from_json(&text).map_err(|source| CliError::Document { name: name(path), source })
+}
+
+/// The model of any family in a JSON file or on stdin.
+pub(super) fn read_any_model(path: &Path) -> Result<Model<Shape>, CliError> {
+    let text = read_text(path, MODEL_BYTES)?;
+    any_model_from_json(&text).map_err(|source| CliError::Document { name: name(path), source })
 }
 
 /// The model that a mesh file keeps, in the format of its extension.

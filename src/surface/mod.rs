@@ -1,5 +1,6 @@
 //! Surfaces as triangles and as points.
 
+mod families;
 pub mod format;
 mod grading;
 mod lattice;
@@ -8,6 +9,7 @@ mod parameterization;
 mod sample;
 mod tessellate;
 
+pub use families::tessellate_shape;
 pub use mesh::Mesh;
 pub use parameterization::Parameterization;
 pub use sample::{sample_solid, sample_surface};
