@@ -1,5 +1,6 @@
 """Other programs judge what is written for them: they build or read the same surfaces."""
 
+import json
 import runpy
 import subprocess
 import sys
@@ -60,6 +61,28 @@ def test_vtk_builds_points_of_the_surface(solid, tmp_path, source):
     low, high = solid.bounding_box
     np.testing.assert_allclose(points.min(axis=0), low, atol=0.1)
     np.testing.assert_allclose(points.max(axis=0), high, atol=0.1)
+
+
+@pytest.mark.parametrize("source", ["superquadric_source", "parametric_super_toroid"])
+def test_vtk_builds_points_of_a_supertoroid(binary, tmp_path, source):
+    pytest.importorskip("vtkmodules", reason="VTK is not installed")
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    size, (e1, e2), ring = np.array([1.0, 0.7, 0.4]), (0.4, 1.3), 2.5
+    shape = {"family": "supertoroid", "size": [*size], "exponents": [e1, e2], "ring": ring}
+    pose = {"translation": [4.0, -2.0, 7.0]}
+    (tmp_path / "model.json").write_text(json.dumps({"shape": shape, "pose": pose}))
+    program = tmp_path / "model.py"
+    command = [binary, "export", tmp_path / "model.json", "--to", "vtk", "-o", program]
+    subprocess.run(command, check=True)
+    built = runpy.run_path(str(program))[source](resolution=64)
+    built.Update()
+    points = vtk_to_numpy(built.GetOutput().GetPoints().GetData()) - pose["translation"]
+    x, y, z = (np.abs(points) / size).T
+    from_ring = np.abs((x ** (2 / e2) + y ** (2 / e2)) ** (e2 / 2) - ring)
+    # JLS Eq. 2.27, by its gauge.
+    gauge = (from_ring ** (2 / e1) + z ** (2 / e1)) ** (e1 / 2)
+    np.testing.assert_allclose(gauge, 1.0, atol=1e-6)
 
 
 def test_the_program_for_vtk_writes_a_file(solid, tmp_path):
