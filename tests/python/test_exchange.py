@@ -35,7 +35,9 @@ def test_what_is_written_and_read_is_the_same_solid(convex, program):
 
 
 def test_errors_name_the_program_the_place_and_the_choice(model):
-    with pytest.raises(superquadric.ExchangeError, match=r"LAMMPS takes exponents from 0 to 1, .*1\.3"):
+    with pytest.raises(
+        superquadric.ExchangeError, match=r"LAMMPS takes exponents from 0 to 1, .*1\.3"
+    ):
         superquadric.export_model(model, "lammps")
     with pytest.raises(superquadric.ExchangeError, match="line 2: expected a number"):
         superquadric.import_models("1 1 1 1 1 0 0 0 0 0 0\n1 1 x\n", "ems")
