@@ -29,9 +29,11 @@ from ._core import (
     import_models,
     read,
     read_depth,
+    read_mesh_model,
     rim,
     score,
     wireframe,
+    write_mesh,
 )
 from .estimator import SuperquadricEstimator
 
@@ -60,7 +62,9 @@ __all__ = [
     "import_models",
     "read",
     "read_depth",
+    "read_mesh_model",
     "rim",
     "score",
     "wireframe",
+    "write_mesh",
 ]

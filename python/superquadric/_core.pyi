@@ -32,9 +32,11 @@ __all__ = [
     "import_models",
     "read",
     "read_depth",
+    "read_mesh_model",
     "rim",
     "score",
     "wireframe",
+    "write_mesh",
 ]
 
 __version__: str
@@ -280,6 +282,7 @@ def read(
 def read(
     path: str | os.PathLike[str], *, return_skipped: Literal[True]
 ) -> tuple[NDArray[np.float64], NDArray[np.int64]]: ...
+def read_mesh_model(path: str | os.PathLike[str]) -> Superellipsoid: ...
 def read_depth(
     path: str | os.PathLike[str],
     camera: Camera | str | os.PathLike[str],
@@ -306,3 +309,6 @@ def score(
 def wireframe(
     model: Superellipsoid | Fit, camera: Camera
 ) -> tuple[list[NDArray[np.float64]], list[NDArray[np.float64]]]: ...
+def write_mesh(
+    model: Superellipsoid | Fit, path: str | os.PathLike[str], *, resolution: int = 32
+) -> None: ...

@@ -1,11 +1,20 @@
-//! `superquadric.export_model` and `superquadric.import_models`.
+//! `superquadric.export_model` and `import_models`, `write_mesh` and `read_mesh_model`.
+
+use std::fs::File;
+use std::path::{Path, PathBuf};
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
+use super::errors::{ExchangeError, os_error};
 use super::model::PyModel;
 use super::solid::model_of;
 use crate::exchange::{ExportFormat, ImportFormat};
+use crate::model::Model;
+use crate::output::write_whole;
+use crate::shape::Shape;
+use crate::surface::format::{InscriptionError, MeshFormat};
+use crate::surface::{Resolution, tessellate};
 
 /// A model as text for another program.
 ///
@@ -45,6 +54,69 @@ pub(super) fn import_models(text: &str, source: &str) -> PyResult<Vec<PyModel>> 
     let format =
         format.ok_or_else(|| unknown(&ImportFormat::ALL.map(ImportFormat::name), source))?;
     Ok(format.models(text)?.into_iter().map(PyModel).collect())
+}
+
+/// Write a mesh of a model's surface, in the world, with the model's parameters in the file.
+///
+/// The file is written whole or not at all.
+///
+/// Args:
+///     model: the model, or a fit.
+///     path: file to write, by its extension PLY, OBJ, STL or binary glTF (.glb).
+///     resolution: segments along each edge of the mesh's lattice, an even number from 2 to 4096.
+///
+/// Raises:
+///     ExchangeError: if the extension is none of these.
+///     ModelError: if the resolution is none.
+///     OSError: if the file cannot be written, or the format cannot hold the coordinates.
+#[pyfunction]
+#[pyo3(signature = (model, path, *, resolution = 32))]
+pub(super) fn write_mesh(
+    py: Python<'_>,
+    model: &Bound<'_, PyAny>,
+    path: PathBuf,
+    resolution: usize,
+) -> PyResult<()> {
+    let format = mesh_format(&path)?;
+    let resolution = Resolution::new(resolution)?;
+    let model = model_of(model)?;
+    py.detach(|| {
+        let mesh = tessellate(&model.shape, resolution).transformed(&model.pose);
+        Ok(write_whole(path, |writer| format.write(&mesh, Some(&model.into()), writer))?)
+    })
+}
+
+/// The model that is kept in a mesh file of `write_mesh` or the command line: the same doubles,
+/// but for the rotation in STL, which is kept to 2e-9.
+///
+/// Args:
+///     path: the file, by its extension PLY, OBJ, STL or binary glTF (.glb).
+///
+/// Raises:
+///     ExchangeError: if the file keeps no model, a broken one, or one of another family.
+///     OSError: if it cannot be read.
+#[pyfunction]
+pub(super) fn read_mesh_model(path: PathBuf) -> PyResult<PyModel> {
+    let name = path.display();
+    let format = mesh_format(&path)?;
+    let unreadable =
+        |error: std::io::Error| os_error(error.kind(), format!("cannot read {name}: {error}"));
+    let read = format.read_model(&mut File::open(&path).map_err(unreadable)?);
+    let Model { shape, pose } = read.map_err(|error| match error {
+        InscriptionError::Io(error) => unreadable(error),
+        error => ExchangeError::new_err(format!("{name}: {error}")),
+    })?;
+    match shape {
+        Shape::Superellipsoid(shape) => Ok(PyModel(Model { shape, pose })),
+        other => Err(ExchangeError::new_err(format!(
+            "{name}: expected a superellipsoid, found a {}",
+            other.family()
+        ))),
+    }
+}
+
+fn mesh_format(path: &Path) -> PyResult<MeshFormat> {
+    MeshFormat::from_extension(path).map_err(|error| ExchangeError::new_err(error.to_string()))
 }
 
 fn unknown(names: &[&str], found: &str) -> PyErr {

@@ -31,7 +31,7 @@ mod core {
         ModelError, SuperquadricError, ViewError,
     };
     #[pymodule_export]
-    use super::exchange::{export_model, import_models};
+    use super::exchange::{export_model, import_models, read_mesh_model, write_mesh};
     #[pymodule_export]
     use super::fit::{PyFit, fit};
     #[pymodule_export]
