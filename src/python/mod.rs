@@ -4,6 +4,7 @@ mod arrays;
 mod batch;
 mod contour;
 mod errors;
+mod families;
 mod fit;
 mod interrupt;
 mod knowledge;
@@ -11,6 +12,7 @@ mod model;
 mod pose;
 mod read;
 mod score;
+mod shape;
 mod solid;
 mod view;
 mod wireframe;
@@ -30,6 +32,8 @@ mod core {
         SuperquadricError, ViewError,
     };
     #[pymodule_export]
+    use super::families::{PyOneSheet, PySupertoroid, PyThreeExponent, PyTwoSheets};
+    #[pymodule_export]
     use super::fit::{PyFit, fit};
     #[pymodule_export]
     use super::model::PyModel;
@@ -37,6 +41,8 @@ mod core {
     use super::read::read;
     #[pymodule_export]
     use super::score::{PyScore, score};
+    #[pymodule_export]
+    use super::shape::PyShape;
     #[pymodule_export]
     use super::view::{PyCamera, PyDepthMap, read_depth};
     #[pymodule_export]
