@@ -164,7 +164,7 @@ fn what_is_wrong_with_a_shape_is_named() {
     };
     let cases = [
         (torus(json!(0.5)), "ring must be a number of at least 1, found 0.5"),
-        (torus(Value::Null), "ring"),
+        (json!({"family": "supertoroid", "size": [1, 1, 1], "exponents": [1, 1]}), "`ring`"),
         (two(json!(2)), "clip must be a number above 2, found 2"),
         (json!({"family": "three_exponent", "size": [1, 1, 1], "exponents": [2, 2]}), "3"),
         (json!({"family": "three_exponent", "size": [1, 1, 1], "exponents": [2, 0, 2]}), "[1]"),

@@ -7,19 +7,18 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use super::errors::{ExchangeError, os_error};
+use super::families::to_python;
 use super::model::PyModel;
-use super::solid::model_of;
+use super::solid::any_model_of;
 use crate::exchange::{ExportFormat, ImportFormat};
-use crate::model::Model;
 use crate::output::write_whole;
-use crate::shape::Shape;
 use crate::surface::format::{InscriptionError, MeshFormat};
-use crate::surface::{Resolution, tessellate};
+use crate::surface::{Resolution, tessellate_shape};
 
 /// A model as text for another program.
 ///
 /// Args:
-///     model: the model, or a fit.
+///     model: the model, of any family, or a fit.
 ///     to: the program: vtk, ovito, liggghts, lammps, mercury, pov, ems or supercompose.
 ///
 /// Returns:
@@ -32,7 +31,7 @@ use crate::surface::{Resolution, tessellate};
 pub(super) fn export_model(model: &Bound<'_, PyAny>, to: &str) -> PyResult<String> {
     let format = ExportFormat::ALL.into_iter().find(|format| format.name() == to);
     let format = format.ok_or_else(|| unknown(&ExportFormat::ALL.map(ExportFormat::name), to))?;
-    Ok(format.text(model_of(model)?)?)
+    Ok(format.text(any_model_of(model)?)?)
 }
 
 /// The models in a text of another program.
@@ -61,7 +60,7 @@ pub(super) fn import_models(text: &str, source: &str) -> PyResult<Vec<PyModel>> 
 /// The file is written whole or not at all.
 ///
 /// Args:
-///     model: the model, or a fit.
+///     model: the model, of any family, or a fit.
 ///     path: file to write, by its extension PLY, OBJ, STL or binary glTF (.glb).
 ///     resolution: segments along each edge of the mesh's lattice, an even number from 2 to 4096.
 ///
@@ -79,40 +78,34 @@ pub(super) fn write_mesh(
 ) -> PyResult<()> {
     let format = mesh_format(&path)?;
     let resolution = Resolution::new(resolution)?;
-    let model = model_of(model)?;
+    let model = any_model_of(model)?;
     py.detach(|| {
-        let mesh = tessellate(&model.shape, resolution).transformed(&model.pose);
-        Ok(write_whole(path, |writer| format.write(&mesh, Some(&model.into()), writer))?)
+        let mesh = tessellate_shape(&model.shape, resolution).transformed(&model.pose);
+        Ok(write_whole(path, |writer| format.write(&mesh, Some(&model), writer))?)
     })
 }
 
 /// The model that is kept in a mesh file of `write_mesh` or the command line: the same doubles,
-/// but for the rotation in STL, which is kept to 2e-9.
+/// but for the rotation in STL, which is kept to 2e-9, and of superellipsoids alone.
 ///
 /// Args:
 ///     path: the file, by its extension PLY, OBJ, STL or binary glTF (.glb).
 ///
 /// Raises:
-///     ExchangeError: if the file keeps no model, a broken one, or one of another family.
+///     ExchangeError: if the file keeps no model, or a broken one.
 ///     OSError: if it cannot be read.
 #[pyfunction]
-pub(super) fn read_mesh_model(path: PathBuf) -> PyResult<PyModel> {
+pub(super) fn read_mesh_model(py: Python<'_>, path: PathBuf) -> PyResult<Py<PyAny>> {
     let name = path.display();
     let format = mesh_format(&path)?;
     let unreadable =
         |error: std::io::Error| os_error(error.kind(), format!("cannot read {name}: {error}"));
     let read = format.read_model(&mut File::open(&path).map_err(unreadable)?);
-    let Model { shape, pose } = read.map_err(|error| match error {
+    let model = read.map_err(|error| match error {
         InscriptionError::Io(error) => unreadable(error),
         error => ExchangeError::new_err(format!("{name}: {error}")),
     })?;
-    match shape {
-        Shape::Superellipsoid(shape) => Ok(PyModel(Model { shape, pose })),
-        other => Err(ExchangeError::new_err(format!(
-            "{name}: expected a superellipsoid, found a {}",
-            other.family()
-        ))),
-    }
+    to_python(py, model)
 }
 
 fn mesh_format(path: &Path) -> PyResult<MeshFormat> {

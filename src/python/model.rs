@@ -62,7 +62,7 @@ impl PyModel {
 }
 
 /// A matrix as an array of shape (3, 3).
-fn square<'py>(py: Python<'py>, matrix: &Matrix3<f64>) -> PyResult<Table<'py>> {
+pub(super) fn square<'py>(py: Python<'py>, matrix: &Matrix3<f64>) -> PyResult<Table<'py>> {
     table(py, <[[f64; 3]; 3]>::from(matrix.transpose()).to_vec())
 }
 
@@ -220,6 +220,24 @@ impl PyModel {
         let Model { shape, pose } = &self.0;
         Doubles::new("points", points)?.map_rows_to_rows(points.py(), |x_world| {
             pose.world_from_model(&shape.radial_projection(&pose.model_from_world(x_world)))
+        })
+    }
+
+    /// Signed Euclidean distances of points of shape (..., 3) from the surface, in an array of shape
+    /// (...): negative inside. Domain: exponents up to 2 (JLS section 2.4.2).
+    fn euclidean_distance<'py>(&self, points: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
+        let Model { shape, pose } = &self.0;
+        Doubles::new("points", points)?.map_rows(points.py(), |x_world| {
+            shape.euclidean_distance(&pose.model_from_world(x_world))
+        })
+    }
+
+    /// The surface points nearest to points of shape (..., 3), in an array of that shape. Domain:
+    /// exponents up to 2.
+    fn nearest_point<'py>(&self, points: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
+        let Model { shape, pose } = &self.0;
+        Doubles::new("points", points)?.map_rows_to_rows(points.py(), |x_world| {
+            pose.world_from_model(&shape.nearest_point(&pose.model_from_world(x_world)))
         })
     }
 

@@ -1,6 +1,5 @@
 """Other programs judge what is written for them: they build or read the same surfaces."""
 
-import json
 import runpy
 import subprocess
 import sys
@@ -41,6 +40,9 @@ def test_errors_name_the_program_the_place_and_the_choice(model):
         superquadric.export_model(model, "lammps")
     with pytest.raises(superquadric.ExchangeError, match="line 2: expected a number"):
         superquadric.import_models("1 1 1 1 1 0 0 0 0 0 0\n1 1 x\n", "ems")
+    toroid = superquadric.Supertoroid([1, 1, 1], [1, 1], 2)
+    with pytest.raises(superquadric.ExchangeError, match=r"POV-Ray cannot express .* supertoroid"):
+        superquadric.export_model(toroid, "pov")
     with pytest.raises(ValueError, match="vtk, ovito"):
         superquadric.export_model(model, "blender")
     with pytest.raises(ValueError, match="ovito, liggghts"):
@@ -66,20 +68,17 @@ def test_vtk_builds_points_of_the_surface(solid, tmp_path, source):
 
 
 @pytest.mark.parametrize("source", ["superquadric_source", "parametric_super_toroid"])
-def test_vtk_builds_points_of_a_supertoroid(binary, tmp_path, source):
+def test_vtk_builds_points_of_a_supertoroid(tmp_path, source):
     pytest.importorskip("vtkmodules", reason="VTK is not installed")
     from vtkmodules.util.numpy_support import vtk_to_numpy
 
-    size, (e1, e2), ring = np.array([1.0, 0.7, 0.4]), (0.4, 1.3), 2.5
-    shape = {"family": "supertoroid", "size": [*size], "exponents": [e1, e2], "ring": ring}
-    pose = {"translation": [4.0, -2.0, 7.0]}
-    (tmp_path / "model.json").write_text(json.dumps({"shape": shape, "pose": pose}))
+    size, (e1, e2), ring, centre = np.array([1.0, 0.7, 0.4]), (0.4, 1.3), 2.5, [4.0, -2.0, 7.0]
+    toroid = superquadric.Supertoroid(size, [e1, e2], ring, translation=centre)
     program = tmp_path / "model.py"
-    command = [binary, "export", tmp_path / "model.json", "--to", "vtk", "-o", program]
-    subprocess.run(command, check=True)
+    program.write_text(superquadric.export_model(toroid, "vtk"))
     built = runpy.run_path(str(program))[source](resolution=64)
     built.Update()
-    points = vtk_to_numpy(built.GetOutput().GetPoints().GetData()) - pose["translation"]
+    points = vtk_to_numpy(built.GetOutput().GetPoints().GetData()) - centre
     x, y, z = (np.abs(points) / size).T
     from_ring = np.abs((x ** (2 / e2) + y ** (2 / e2)) ** (e2 / 2) - ring)
     # JLS Eq. 2.27, by its gauge.

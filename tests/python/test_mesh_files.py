@@ -22,6 +22,14 @@ def test_a_fit_is_written_as_its_model(fit, tmp_path):
     assert superquadric.read_mesh_model(tmp_path / "fit.glb") == fit.model
 
 
+@pytest.mark.parametrize("extension", ["ply", "obj", "glb"])
+def test_other_families_come_back_too(tmp_path, extension):
+    toroid = superquadric.Supertoroid([1, 0.7, 0.4], [0.4, 1.3], 2.5, euler_zyz=[0.3, 1.1, -0.8])
+    path = tmp_path / f"mesh.{extension}"
+    superquadric.write_mesh(toroid, path, resolution=4)
+    assert superquadric.read_mesh_model(path).to_dict() == toroid.to_dict()
+
+
 def test_errors_name_the_file(model, tmp_path):
     plain = tmp_path / "plain.ply"
     plain.write_text("ply\nend_header\n")
