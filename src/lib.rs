@@ -33,7 +33,7 @@
 //!
 //! # Modules, in the order in which data flows
 //!
-//! [`math`] -> [`shape`] and [`pose`] -> [`model`] -> [`surface`], [`compare`]; [`cloud`] and
+//! [`math`] -> [`shape`] and [`pose`] -> [`model`] -> [`surface`], [`raster`], [`compare`]; [`cloud`] and
 //! [`view`] -> [`recover`] -> [`report`] and [`batch`] -> [`output`] and the command line. Nothing below the command line
 //! prints or exits.
 
@@ -44,12 +44,14 @@ pub mod cli;
 pub mod cloud;
 pub mod compare;
 pub mod error;
+pub mod exchange;
 pub mod math;
 pub mod model;
 pub mod output;
 pub mod pose;
 #[cfg(feature = "python")]
 mod python;
+pub mod raster;
 pub mod recover;
 pub mod report;
 pub mod shape;

@@ -38,7 +38,7 @@ fn run_one(args: &FitArgs, path: &Path) -> Result<u8, CliError> {
     let Fitted { fit, cloud, seconds } = fit_file(args, path, options)?;
 
     if let Some(mesh) = &args.mesh {
-        write_mesh(mesh, &fit.model, args.resolution)?;
+        write_mesh(mesh, &fit.model.into(), args.resolution)?;
     }
     if let Some(inliers) = &args.inliers {
         write_inliers(inliers, &cloud, &fit.is_inlier)?;

@@ -1,9 +1,19 @@
 //! Special functions and elementary helpers; no geometry.
 
 mod beta;
+pub(crate) mod elementary;
 mod gamma_variate;
+mod instruction_set;
+mod maximum;
+mod quadrature;
+mod root;
 mod signed_power;
+pub(crate) mod vectorized;
 
 pub use beta::beta;
 pub(crate) use gamma_variate::GammaVariate;
+pub use instruction_set::{InstructionSet, InstructionSetError, instruction_set};
+pub(crate) use maximum::maximum;
+pub(crate) use quadrature::integral_in_pieces;
+pub(crate) use root::increasing_root;
 pub use signed_power::signed_power;

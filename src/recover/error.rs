@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::kernel::InstructionSetError;
+use crate::math::InstructionSetError;
 
 /// A cloud that does not determine a solid.
 #[derive(Debug, Clone, PartialEq, Error)]

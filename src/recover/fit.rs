@@ -8,7 +8,7 @@ use super::doubt::{doubts, require_extent};
 use super::error::FitError;
 use super::evidence::Evidence;
 use super::found::{Found, Surface};
-use super::kernel::{Residual, instruction_set};
+use super::kernel::Residual;
 use super::normalization::Moments;
 use super::options::{Distance, FitOptions};
 use super::radial::PARAMETERS;
@@ -17,6 +17,7 @@ use super::subset::Subset;
 use super::survey::Survey;
 use super::uncertainty::{covariance, dependence};
 use crate::cloud::PointCloud;
+use crate::math::instruction_set;
 use crate::model::Model;
 
 /// Points from which on a pass is worth sharing among threads.

@@ -38,7 +38,6 @@ pub use covariance::Covariance;
 pub use error::FitError;
 pub use fit::{fit, fit_unless};
 pub use geometric::geometric_row;
-pub use kernel::{InstructionSet, InstructionSetError, instruction_set};
 pub use options::{Distance, FitOptions};
 pub use plane::Plane;
 pub use radial::{PARAMETERS, Row, radial_row};

@@ -1,12 +1,16 @@
 //! Surfaces as triangles and as points.
 
+mod families;
 pub mod format;
 mod grading;
 mod lattice;
 mod mesh;
+mod parameterization;
 mod sample;
 mod tessellate;
 
+pub use families::tessellate_shape;
 pub use mesh::Mesh;
+pub use parameterization::Parameterization;
 pub use sample::{sample_solid, sample_surface};
 pub use tessellate::{Resolution, ResolutionError, tessellate};

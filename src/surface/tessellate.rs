@@ -76,14 +76,14 @@ pub fn tessellate(shape: &Superellipsoid, resolution: Resolution) -> Mesh {
 
 /// A point of the cube's surface, moved so that squares about the z axis become superellipses
 /// of exponent e2: edges of the cube become edges of the solid.
-fn flattened_cube_point([x, y, z]: [f64; 3], e2: f64) -> Vector3<f64> {
+pub(super) fn flattened_cube_point([x, y, z]: [f64; 3], e2: f64) -> Vector3<f64> {
     let side = x.abs().max(y.abs());
     let shrink = if side == 0.0 { 1.0 } else { side / superellipse_norm(x.abs(), y.abs(), e2) };
     Vector3::new(x * shrink, y * shrink, z)
 }
 
 /// Two triangles of a quadrilateral, cut along the diagonal that leaves the fatter ones.
-fn split([a, b, c, d]: [usize; 4], vertices: &[Vector3<f64>]) -> [[u32; 3]; 2] {
+pub(super) fn split([a, b, c, d]: [usize; 4], vertices: &[Vector3<f64>]) -> [[u32; 3]; 2] {
     let fatness = |triangle: [usize; 3]| fatness(triangle.map(|i| vertices[i]));
     let least_fatness = |[first, second]: [[usize; 3]; 2]| fatness(first).min(fatness(second));
     let along_ac = [[a, b, c], [a, c, d]];

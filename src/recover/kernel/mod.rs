@@ -5,19 +5,19 @@
 //! tests hold every path against it.
 
 mod block;
-mod elementary;
 mod gram;
 mod point;
 mod simd;
 mod view;
 
 pub(crate) use gram::{COLUMNS, Gram};
-pub use simd::{InstructionSet, InstructionSetError, instruction_set};
+
 pub(crate) use view::{ModelView, Residual};
 
 use rayon::prelude::*;
 
 use crate::cloud::PointColumns;
+use crate::math::{InstructionSet, instruction_set};
 
 /// Points whose rows are summed in one go: fixed, so that the sum does not depend on how many
 /// threads share the work.

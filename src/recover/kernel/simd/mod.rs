@@ -1,9 +1,8 @@
-//! One body of a pass, compiled for each instruction set: with the files beside it the only
-//! place of `unsafe` code.
+//! One body of a pass, compiled for each instruction set: with the files beside it the part of
+//! the fit with `unsafe` code.
 //!
 //! Invariants:
-//! - a function compiled for a target feature is called only where [`instruction_set`] says that
-//!   the processor has it;
+//! - a function compiled for a target feature is called only where an [`InstructionSet`] names it;
 //! - a register is loaded only from a slice or array that is as long as the register is wide.
 #![allow(unsafe_code)]
 
@@ -11,15 +10,13 @@
 mod avx2;
 #[cfg(target_arch = "x86_64")]
 mod avx512;
-mod choice;
 #[cfg(target_arch = "x86_64")]
 mod path;
-
-pub use choice::{InstructionSet, InstructionSetError, instruction_set};
 
 use super::block::{Scratch, write_rows};
 use super::gram::{BLOCK, Gram, PortableTile, Rows, TileProducts};
 use super::view::ModelView;
+use crate::math::InstructionSet;
 
 /// The Gram matrix over the points; each row multiplied by its factor, where there are any.
 pub(super) fn gram(

@@ -5,7 +5,7 @@
 
 /// `a b + c`, fused where the target can.
 #[inline(always)]
-pub(super) fn mul_add<const FMA: bool>(a: f64, b: f64, c: f64) -> f64 {
+pub(crate) fn mul_add<const FMA: bool>(a: f64, b: f64, c: f64) -> f64 {
     if FMA { a.mul_add(b, c) } else { a * b + c }
 }
 
@@ -29,7 +29,7 @@ const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
 /// `x = n ln 2 + r`; the polynomial `(exp(r) - 1 - r)/r^2`, interpolated at the Chebyshev nodes of
 /// `|r| <= ln 2 / 2`, leaves 1.3e-17.
 #[inline(always)]
-pub(super) fn exp<const FMA: bool>(x: f64) -> f64 {
+pub(crate) fn exp<const FMA: bool>(x: f64) -> f64 {
     const COEFFICIENTS: [f64; 12] = [
         1.0,
         1.0,
@@ -57,7 +57,7 @@ pub(super) fn exp<const FMA: bool>(x: f64) -> f64 {
 /// `ln c = 2 artanh s` with `s = (c - 1)/(c + 1)`, where `(2 artanh s / s - 2)/s^2` is interpolated
 /// in `s^2` at the Chebyshev nodes of `|s| <= 0.2`, which leaves 6e-17.
 #[inline(always)]
-pub(super) fn ln_ratio<const FMA: bool>(a: f64, b: f64) -> f64 {
+pub(crate) fn ln_ratio<const FMA: bool>(a: f64, b: f64) -> f64 {
     const ARTANH: [f64; 7] = [
         0.666_666_666_666_669_6,
         0.399_999_999_992_938_7,
@@ -87,7 +87,7 @@ pub(super) fn ln_ratio<const FMA: bool>(a: f64, b: f64) -> f64 {
 /// `ln(1 + x) = 2 artanh s` with `s = x/(2 + x)`, as in [`ln_ratio`] with `s <= 1/3`, which leaves
 /// 5e-18.
 #[inline(always)]
-pub(super) fn ln_1p_and_inverse<const FMA: bool>(x: f64) -> (f64, f64) {
+pub(crate) fn ln_1p_and_inverse<const FMA: bool>(x: f64) -> (f64, f64) {
     const ARTANH: [f64; 10] = [
         0.666_666_666_666_666_6,
         0.400_000_000_000_145_85,
@@ -106,6 +106,50 @@ pub(super) fn ln_1p_and_inverse<const FMA: bool>(x: f64) -> (f64, f64) {
     let square = s * s;
     let ln_1p = mul_add::<FMA>(s * square, polynomial::<FMA, 10>(square, &ARTANH), 2.0 * s);
     (ln_1p, two * inverse)
+}
+
+/// `x^p` for normal `x` in (0, 1] and `p >= 0`; where it would underflow it is 1e-300.
+#[inline(always)]
+pub(crate) fn power<const FMA: bool>(x: f64, p: f64) -> f64 {
+    const LOG_FLOOR: f64 = -690.0;
+    let log_power = p * ln_ratio::<FMA>(x, 1.0);
+    exp::<FMA>(if log_power > LOG_FLOOR { log_power } else { LOG_FLOOR })
+}
+
+/// `[sin(x), cos(x)]` for `0 <= x <= pi/2`, to 2e-16.
+///
+/// The Taylor series up to x^17 leave 2e-18 at pi/4, where sine and cosine change places.
+#[inline(always)]
+pub(crate) fn sin_cos<const FMA: bool>(x: f64) -> [f64; 2] {
+    use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+    /// `(-1)^k / (2k + 1)!` from k = 1 on.
+    const SINE: [f64; 8] = [
+        -1.0 / 6.0,
+        1.0 / 120.0,
+        -1.0 / 5_040.0,
+        1.0 / 362_880.0,
+        -1.0 / 39_916_800.0,
+        1.0 / 6_227_020_800.0,
+        -1.0 / 1_307_674_368_000.0,
+        1.0 / 355_687_428_096_000.0,
+    ];
+    /// `(-1)^k / (2k)!` from k = 1 on.
+    const COSINE: [f64; 8] = [
+        -1.0 / 2.0,
+        1.0 / 24.0,
+        -1.0 / 720.0,
+        1.0 / 40_320.0,
+        -1.0 / 3_628_800.0,
+        1.0 / 479_001_600.0,
+        -1.0 / 87_178_291_200.0,
+        1.0 / 20_922_789_888_000.0,
+    ];
+    let is_steep = x > FRAC_PI_4;
+    let angle = if is_steep { FRAC_PI_2 - x } else { x };
+    let square = angle * angle;
+    let sine = angle + angle * square * polynomial::<FMA, 8>(square, &SINE);
+    let cosine = 1.0 + square * polynomial::<FMA, 8>(square, &COSINE);
+    if is_steep { [cosine, sine] } else { [sine, cosine] }
 }
 
 #[cfg(test)]
@@ -145,6 +189,19 @@ mod tests {
             assert_eq!(ln_1p_and_inverse::<FMA>(tiny), (tiny, 1.0));
         }
         assert_eq!(ln_ratio::<FMA>(7.0, 7.0), 0.0);
+        for x in grid(0.0, std::f64::consts::FRAC_PI_2) {
+            let [sine, cosine] = sin_cos::<FMA>(x);
+            assert!((sine - x.sin()).abs() <= 3e-16 && (cosine - x.cos()).abs() <= 3e-16, "{x}");
+        }
+        for x in grid(1e-4, 1.0) {
+            for p in [0.025, 1.0, 4.0, 40.0] {
+                let expected = x.powf(p).max(1e-299);
+                // The exponent of the power, up to 690, is rounded.
+                let found = power::<FMA>(x, p).max(1e-299);
+                assert!((found - expected).abs() <= 3e-13 * expected, "{x} ^ {p}");
+            }
+        }
+        assert_eq!(power::<FMA>(1e-300, 40.0), exp::<FMA>(-690.0));
         assert_eq!(exp::<FMA>(0.0), 1.0);
     }
 

@@ -1,0 +1,65 @@
+//! The choice of instruction set for loops that the compiler turns into vector code.
+//!
+//! Invariant: a function compiled for a target feature is called only where [`instruction_set`]
+//! says that the processor has it.
+#![allow(unsafe_code)]
+
+use super::{InstructionSet, instruction_set};
+
+/// Loops to be compiled for each instruction set.
+pub(crate) trait Kernel {
+    /// What the loops yield.
+    type Output;
+
+    /// Runs the loops; `FMA` says whether the target fuses `a b + c`. To be compiled for the
+    /// target, it and all that it calls must be `#[inline(always)]`.
+    fn run<const FMA: bool>(self) -> Self::Output;
+}
+
+/// Runs a kernel by the path of the instruction set in use.
+pub(crate) fn run<K: Kernel>(kernel: K) -> K::Output {
+    match instruction_set().unwrap_or(InstructionSet::Portable) {
+        // SAFETY: an instruction set is in use only if the processor has it.
+        #[cfg(target_arch = "x86_64")]
+        InstructionSet::Avx512 => unsafe { run_avx512(kernel) },
+        // SAFETY: as above.
+        #[cfg(target_arch = "x86_64")]
+        InstructionSet::Avx2 => unsafe { run_avx2(kernel) },
+        _ => kernel.run::<false>(),
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,fma")]
+fn run_avx2<K: Kernel>(kernel: K) -> K::Output {
+    kernel.run::<true>()
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512f,avx512dq,avx512vl,fma")]
+fn run_avx512<K: Kernel>(kernel: K) -> K::Output {
+    kernel.run::<true>()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct Sum<'a>(&'a [f64]);
+
+    impl Kernel for Sum<'_> {
+        type Output = f64;
+
+        #[inline(always)]
+        fn run<const FMA: bool>(self) -> f64 {
+            self.0.iter().sum()
+        }
+    }
+
+    #[test]
+    fn a_kernel_gives_the_same_by_every_path() {
+        let numbers: Vec<f64> = (0..100).map(f64::from).collect();
+        assert_eq!(run(Sum(&numbers)), 4950.0);
+        assert_eq!(Sum(&numbers).run::<false>(), 4950.0);
+    }
+}
