@@ -4,7 +4,9 @@
 use super::descent::{Descent, Effort, PointSet, descend};
 use super::normalization::Moments;
 use super::start::{ambiguous_starts, principal_starts};
-use super::switches::{deflated, switches};
+use super::subset::Subset;
+use super::switches::{deflated, other_frames, switches};
+use super::uncertainty::neighbour_correlation;
 use crate::model::Model;
 
 /// A switch must lower the loss by this share to be taken.
@@ -14,9 +16,13 @@ const WORTHWHILE: f64 = 0.99;
 const SWITCH_ROUNDS: usize = 4;
 
 /// What lets a second look be worth while: noise above this share of the RMS radius, and a model
-/// of which this many times the area that is seen is there.
+/// of which this many times the area that is seen is there;
 const NOISY: f64 = 0.015;
 const HALF_SEEN: f64 = 1.3;
+
+/// or residuals of so many neighbours that correlate so much: noise alone leaves 0.06.
+const CORRELATED_POINTS: usize = 256;
+const MISFIT: f64 = 0.3;
 
 /// Rounds of a second look, and the gain in the logarithm of the likelihood that calls for another.
 const LOOKS: usize = 2;
@@ -68,15 +74,16 @@ impl Search {
         }
     }
 
-    /// Where noise is great and one side is all that is seen, few points tell the minima apart badly:
-    /// looks for better ones around the best, on points and under the residual it was found by.
+    /// Looks around the best minimum for better ones, if it is open to doubt, on points and under
+    /// the residual it was found by: the coarse search has but few points and looks at one switch
+    /// at a time.
     pub fn look_again(&mut self, points: &PointSet, effort: &Effort) {
         for _ in 0..LOOKS {
             let Some(best) = self.candidates.first().filter(|best| is_open(points, best)) else {
                 return;
             };
             let (model, before) = (best.model, best.loss);
-            let starts = switches(&model).into_iter().chain(deflated(&model));
+            let starts = other_frames(&model).into_iter().chain(deflated(&model));
             self.try_all(points, &starts.collect::<Vec<_>>(), effort);
             let gain = 0.5 * points.weight() * (before / self.least_loss()).ln();
             if gain < LIKELIER {
@@ -145,11 +152,17 @@ impl Search {
     }
 }
 
-/// Whether noise and what is not seen leave the best minimum in doubt.
+/// Whether the best minimum misfits, or noise and what is not seen leave it in doubt.
 fn is_open(points: &PointSet, best: &Descent) -> bool {
     let unseen =
         points.evidence.seen_area.is_some_and(|seen| seen.ratio(&best.model.shape) > HALF_SEEN);
-    unseen && best.geometric_mean_square.sqrt() > NOISY
+    (unseen && best.geometric_mean_square.sqrt() > NOISY) || is_misfit(points, &best.model)
+}
+
+/// Whether the distances of neighbours from a model err together.
+fn is_misfit(points: &PointSet, model: &Model) -> bool {
+    let few = Subset::stratified(points.points, CORRELATED_POINTS, 0);
+    neighbour_correlation(&PointSet { points: few.columns(), ..*points }, model) > MISFIT
 }
 
 /// Whether two models that brief descents have ended in are on the way to one minimum.

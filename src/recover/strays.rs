@@ -183,7 +183,9 @@ impl CoreSearch<'_> {
         let mut search = Search::coarse(&few, &moments);
         let few = PointSet { residual: Residual::Geometric, ..few };
         search.refine(&few, &BRIEF, COARSE_FINALISTS);
-        search.refine(&PointSet { points: more.columns(), ..few }, &MEDIUM, MEDIUM_FINALISTS);
+        let more = PointSet { points: more.columns(), ..few };
+        search.refine(&more, &MEDIUM, MEDIUM_FINALISTS);
+        search.look_again(&more, &MEDIUM);
         let minima = search.take_finalists(FINALISTS);
         self.passes += search.passes;
         self.starts += search.starts;

@@ -25,6 +25,15 @@ pub(crate) fn switches(model: &Model) -> Vec<Model> {
         .collect()
 }
 
+/// All other frames that a model may hide in: each axis as z, and the dual of each.
+pub(crate) fn other_frames(model: &Model) -> Vec<Model> {
+    let others = [[1, 2, 0], [2, 0, 1]].map(|order| axis_switch(model, order));
+    let duals = [dual_switch(model)]
+        .into_iter()
+        .chain(others.map(|other| other.as_ref().and_then(dual_switch)));
+    others.into_iter().chain(duals).flatten().collect()
+}
+
 /// The model shrunk towards the points' centroid, the origin, and rounded: descents grow sizes and
 /// sharpen edges more readily than they take them back.
 pub(crate) fn deflated(model: &Model) -> Option<Model> {

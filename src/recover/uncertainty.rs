@@ -88,7 +88,7 @@ pub(crate) fn dependence(sample: &PointSet, model: &Model, points: usize) -> f64
 }
 
 /// Correlation of each sampled point's geometric distance with its nearest neighbour's.
-fn neighbour_correlation(sample: &PointSet, model: &Model) -> f64 {
+pub(crate) fn neighbour_correlation(sample: &PointSet, model: &Model) -> f64 {
     let view = ModelView::new(sample.normalization, model, Residual::Radial);
     let shape = &model.shape;
     let [xs, ys, zs] = sample.points;
