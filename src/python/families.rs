@@ -98,12 +98,12 @@ macro_rules! kind_with_parameter {
         impl $class {
             #[new]
             #[pyo3(
-                        signature = (
-                            size, exponents, $parameter, *,
-                            euler_zyz = None, rotation = None, translation = None
-                        ),
-                        text_signature = $signature
-                    )]
+                                        signature = (
+                                            size, exponents, $parameter, *,
+                                            euler_zyz = None, rotation = None, translation = None
+                                        ),
+                                        text_signature = $signature
+                                    )]
             fn new(
                 size: &Bound<'_, PyAny>,
                 exponents: &Bound<'_, PyAny>,
