@@ -6,6 +6,7 @@ from typing import Any, Literal, final, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from typing_extensions import disjoint_base
 
 __all__ = [
     "ArrayError",
@@ -113,6 +114,7 @@ class Superellipsoid:
     def __copy__(self) -> Superellipsoid: ...
     def __deepcopy__(self, _memo: Any) -> Superellipsoid: ...
 
+@disjoint_base
 class Shape:
     @property
     def family(self) -> str: ...
