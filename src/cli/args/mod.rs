@@ -51,7 +51,8 @@ A model is a superellipsoid
   ((|x|/a1)^(2/e2) + (|y|/a2)^(2/e2))^(e2/e1) + (|z|/a3)^(2/e1) = 1
 with semi-axes a1 a2 a3 in the cloud's own unit and exponents e1 (north-south) and e2
 (east-west), turned by Euler angles ZYZ and moved to its centre. Exponents near 0 are boxes, 1 is
-round, 2 is bevelled.";
+round, 2 is bevelled. Models of the other families (superhyperboloid_one_sheet,
+superhyperboloid_two_sheets, supertoroid, three_exponent) can be given to info and mesh.";
 
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
