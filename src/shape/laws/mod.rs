@@ -27,7 +27,7 @@ struct Example {
 }
 
 impl Example {
-    /// Whether no exponent exceeds one.
+    /// Whether no exponent exceeds this one.
     fn is_at_most(&self, exponent: f64) -> bool {
         self.exponents.iter().all(|&e| e <= exponent)
     }
