@@ -16,6 +16,7 @@ __all__ = [
     "Contour",
     "DepthMap",
     "DocumentError",
+    "ExchangeError",
     "Fit",
     "FitError",
     "ImageError",
@@ -32,12 +33,16 @@ __all__ = [
     "__version__",
     "_evaluate_suite",
     "contour",
+    "export_model",
     "fit",
+    "import_models",
     "read",
     "read_depth",
+    "read_mesh_model",
     "rim",
     "score",
     "wireframe",
+    "write_mesh",
 ]
 
 __version__: str
@@ -47,6 +52,7 @@ class ArrayError(SuperquadricError): ...
 class BatchError(SuperquadricError): ...
 class CloudError(SuperquadricError): ...
 class DocumentError(SuperquadricError): ...
+class ExchangeError(SuperquadricError): ...
 class FitError(SuperquadricError): ...
 class ImageError(SuperquadricError): ...
 class ViewError(SuperquadricError): ...
@@ -368,6 +374,14 @@ def _evaluate_suite(
     on_scene: Callable[[int, int], object] | None = None,
 ) -> None: ...
 def contour(model: Superellipsoid | Fit, camera: Camera) -> Contour: ...
+def export_model(
+    model: Superellipsoid | Shape | Fit,
+    to: Literal["vtk", "ovito", "liggghts", "lammps", "mercury", "pov", "ems", "supercompose"],
+) -> str: ...
+def import_models(
+    text: str,
+    source: Literal["ovito", "liggghts", "lammps", "mercury", "ems", "supercompose"],
+) -> list[Superellipsoid]: ...
 def fit(
     points: ArrayLike,
     *,
@@ -391,6 +405,7 @@ def read(
 def read(
     path: str | os.PathLike[str], *, return_skipped: Literal[True]
 ) -> tuple[NDArray[np.float64], NDArray[np.int64]]: ...
+def read_mesh_model(path: str | os.PathLike[str]) -> Superellipsoid | Shape: ...
 def read_depth(
     path: str | os.PathLike[str],
     camera: Camera | str | os.PathLike[str],
@@ -417,3 +432,6 @@ def score(
 def wireframe(
     model: Superellipsoid | Fit, camera: Camera
 ) -> tuple[list[NDArray[np.float64]], list[NDArray[np.float64]]]: ...
+def write_mesh(
+    model: Superellipsoid | Shape | Fit, path: str | os.PathLike[str], *, resolution: int = 32
+) -> None: ...

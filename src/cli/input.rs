@@ -46,7 +46,7 @@ pub(super) fn read_any_model(path: &Path) -> Result<Model<Shape>, CliError> {
 }
 
 /// The model that a mesh file keeps, in the format of its extension.
-pub(super) fn read_mesh_model(path: &Path) -> Result<Model, CliError> {
+pub(super) fn read_mesh_model(path: &Path) -> Result<Model<Shape>, CliError> {
     let format = MeshFormat::from_extension(path)?;
     let mut file = File::open(path).map_err(|source| unreadable(path, source))?;
     format

@@ -35,18 +35,14 @@ pub(super) fn write_inliers(
     Ok(write_whole(path, |writer| cloud::write_inliers(cloud, is_inlier, writer))?)
 }
 
-/// Writes the mesh of a model, in the world, in the format of the file's extension, and a
-/// superellipsoid's parameters with it.
+/// Writes the mesh of a model, in the world, in the format of the file's extension, and the
+/// model with it.
 pub(super) fn write_mesh(
     path: &Path,
-    &Model { shape, pose }: &Model<Shape>,
+    model: &Model<Shape>,
     resolution: Resolution,
 ) -> Result<(), CliError> {
     let format = MeshFormat::from_extension(path)?;
-    let mesh = tessellate_shape(&shape, resolution).transformed(&pose);
-    let model = match shape {
-        Shape::Superellipsoid(shape) => Some(Model { shape, pose }),
-        _ => None,
-    };
-    Ok(write_whole(path, |writer| format.write(&mesh, model.as_ref(), writer))?)
+    let mesh = tessellate_shape(&model.shape, resolution).transformed(&model.pose);
+    Ok(write_whole(path, |writer| format.write(&mesh, Some(model), writer))?)
 }

@@ -4,6 +4,7 @@ mod arrays;
 mod batch;
 mod contour;
 mod errors;
+mod exchange;
 mod families;
 mod fit;
 mod interrupt;
@@ -28,9 +29,11 @@ mod core {
     use super::contour::{PyContour, contour, rim};
     #[pymodule_export]
     use super::errors::{
-        ArrayError, BatchError, CloudError, DocumentError, FitError, ImageError, ModelError,
-        SuperquadricError, ViewError,
+        ArrayError, BatchError, CloudError, DocumentError, ExchangeError, FitError, ImageError,
+        ModelError, SuperquadricError, ViewError,
     };
+    #[pymodule_export]
+    use super::exchange::{export_model, import_models, read_mesh_model, write_mesh};
     #[pymodule_export]
     use super::families::{PyOneSheet, PySupertoroid, PyThreeExponent, PyTwoSheets};
     #[pymodule_export]

@@ -49,6 +49,7 @@ def test_exceptions_are_value_errors_with_one_base():
         "BatchError",
         "CloudError",
         "DocumentError",
+        "ExchangeError",
         "FitError",
         "ImageError",
         "ModelError",

@@ -90,7 +90,7 @@ impl SearchArgs {
     }
 }
 
-/// Write a mesh of a model's surface; a superellipsoid's parameters are kept in the file.
+/// Write a mesh of a model's surface, with the model's parameters in the file.
 #[derive(Debug, clap::Args)]
 pub(super) struct MeshArgs {
     /// A fit or a bare model in JSON; - is stdin.
