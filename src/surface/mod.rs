@@ -1,14 +1,18 @@
 //! Surfaces as triangles and as points.
 
+mod deviation;
 pub mod format;
 mod grading;
 mod lattice;
 mod mesh;
 mod parameterization;
 mod sample;
+mod subdivision;
 mod tessellate;
+mod tolerance;
 
 pub use mesh::Mesh;
 pub use parameterization::Parameterization;
 pub use sample::{sample_solid, sample_surface};
 pub use tessellate::{Resolution, ResolutionError, tessellate};
+pub use tolerance::{MeshMethod, ToleranceError, tessellate_within};
