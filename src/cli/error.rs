@@ -10,6 +10,7 @@ use crate::cloud::ReadError;
 use crate::output::OutputError;
 use crate::recover::FitError;
 use crate::report::DocumentError;
+use crate::surface::ToleranceError;
 use crate::surface::format::UnknownMeshFormat;
 use crate::view::{ImageError, RimError, UnknownContourFormat};
 
@@ -44,6 +45,8 @@ pub(super) enum CliError {
     ContourFormat(#[from] UnknownContourFormat),
     #[error(transparent)]
     MeshFormat(#[from] UnknownMeshFormat),
+    #[error(transparent)]
+    Tolerance(#[from] ToleranceError),
     #[error(transparent)]
     Output(#[from] OutputError),
     #[error(transparent)]

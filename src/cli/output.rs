@@ -6,10 +6,9 @@ use std::path::Path;
 use super::error::CliError;
 use super::input::is_stream;
 use crate::cloud::{self, PointCloud};
-use crate::model::Model;
 use crate::output::write_whole;
+use crate::surface::Mesh;
 use crate::surface::format::MeshFormat;
-use crate::surface::{Resolution, tessellate};
 
 /// Writes text to a file, or to stdout where `-` was typed.
 pub(super) fn write_text(path: &Path, text: &str) -> Result<(), CliError> {
@@ -34,13 +33,8 @@ pub(super) fn write_inliers(
     Ok(write_whole(path, |writer| cloud::write_inliers(cloud, is_inlier, writer))?)
 }
 
-/// Writes the mesh of a model, in the world, in the format of the file's extension.
-pub(super) fn write_mesh(
-    path: &Path,
-    model: &Model,
-    resolution: Resolution,
-) -> Result<(), CliError> {
+/// Writes a mesh in the format of the file's extension.
+pub(super) fn write_mesh(path: &Path, mesh: &Mesh) -> Result<(), CliError> {
     let format = MeshFormat::from_extension(path)?;
-    let mesh = tessellate(&model.shape, resolution).transformed(&model.pose);
-    Ok(write_whole(path, |writer| format.write(&mesh, writer))?)
+    Ok(write_whole(path, |writer| format.write(mesh, writer))?)
 }

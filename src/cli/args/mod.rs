@@ -1,6 +1,7 @@
 //! What can be typed.
 
 mod fit;
+mod mesh;
 mod parse;
 mod sensor;
 mod shape;
@@ -10,6 +11,7 @@ use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 pub(super) use fit::FitArgs;
+pub(super) use mesh::FinenessArgs;
 pub(super) use sensor::{SensorArgs, SupportArg};
 pub(super) use view::{ContourArgs, OverlayArgs, ViewArgs};
 
@@ -17,8 +19,6 @@ use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
 use crate::recover::{Distance, FitOptions};
-use crate::surface::Resolution;
-use parse::resolution;
 
 /// Recovers superquadrics from range points, and tells what there is to know of them.
 #[derive(Debug, Parser)]
@@ -33,7 +33,7 @@ Examples:
   superquadric fit cloud.ply                       what shape is it?
   superquadric fit cloud.ply -o fit.json --mesh fit.ply
   superquadric fit - -o - < cloud.xyz              from stdin, JSON to stdout
-  superquadric mesh fit.json -o shape.stl
+  superquadric mesh fit.json -o shape.stl --tolerance 0.001
   superquadric info fit.json
   superquadric contour fit.json --camera camera.json -o outline.svg
   superquadric overlay fit.json --camera camera.json --image photo.png -o overlay.png
@@ -91,9 +91,8 @@ pub(super) struct MeshArgs {
     /// File to write: .ply, .obj or .stl.
     #[arg(short, long, value_name = "MESH")]
     pub output: PathBuf,
-    /// Segments along each edge of the mesh's lattice (even).
-    #[arg(long, value_name = "N", default_value = "32", value_parser = resolution)]
-    pub resolution: Resolution,
+    #[command(flatten)]
+    pub fineness: FinenessArgs,
 }
 
 /// Tell what is known of a model: axes, extents, volume, area, inertia, bounding box.
