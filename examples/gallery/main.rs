@@ -16,8 +16,10 @@ use picture::Picture;
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/pictures/gallery");
 
-/// File names and what draws them.
-const FIGURES: [(&str, fn() -> Picture); 8] = [
+/// A file's name and what draws it.
+type Figure = (&'static str, fn() -> Picture);
+
+const FIGURES: [Figure; 8] = [
     ("fb81-3.png", curves::nine_superellipses),
     ("fb81-4.png", curves::equal_steps_of_the_angle),
     ("fb81-5.png", sampling::parametric_and_explicit),

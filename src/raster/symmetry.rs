@@ -101,12 +101,12 @@ impl Kernel for Images<'_> {
         let count = self.columns[0].len();
         for image in 0..IMAGES {
             let (order, octant) = (ORDERS[image / 8], image % 8);
-            for axis in 0..3 {
+            for (axis, &from) in order.iter().enumerate() {
                 let sign = if octant >> axis & 1 == 0 { 1.0 } else { -1.0 };
                 let factor = (sign * self.size[axis]) as f32;
                 let to = &mut self.vertices.column_mut(axis)[image * count..(image + 1) * count];
-                for (to, from) in to.iter_mut().zip(&self.columns[order[axis]]) {
-                    *to = factor * from;
+                for (to, &coordinate) in to.iter_mut().zip(&self.columns[from]) {
+                    *to = factor * coordinate;
                 }
             }
         }
