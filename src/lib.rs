@@ -35,7 +35,7 @@
 //!
 //! # Modules, in the order in which data flows
 //!
-//! [`math`] -> [`shape`] and [`pose`] -> [`model`] -> [`surface`], [`raster`], [`compare`]; [`cloud`] and
+//! [`math`] -> [`shape`] and [`pose`] -> [`model`] -> [`surface`] -> [`raster`], [`compare`]; [`cloud`] and
 //! [`view`] -> [`recover`] -> [`report`] and [`batch`] -> [`output`] and the command line. Nothing below the command line
 //! prints or exits.
 
