@@ -246,6 +246,32 @@ fn what_cannot_be_exported_or_imported_is_told_with_its_file() {
 }
 
 #[test]
+fn mesh_is_as_fine_as_its_tolerance_asks_for_by_every_method() {
+    let folder = TempDir::new().unwrap();
+    let path = in_folder(&folder, "m.obj");
+    let facets = |tolerance: &str, method: &[&str]| {
+        let arguments = ["mesh", "-", "-o", &path, "--tolerance", tolerance];
+        assert_done(&run_with_input(&[&arguments, method].concat(), BARE.as_bytes()));
+        fs::read_to_string(&path).unwrap().lines().filter(|line| line.starts_with("f ")).count()
+    };
+    assert_eq!(facets("0.01", &[]), facets("0.01", &["--method", "subdivision"]));
+    for method in ["lattice", "curvature", "subdivision"] {
+        let [coarse, fine] = ["0.1", "0.01"].map(|share| facets(share, &["--method", method]));
+        assert!(fine > 4 * coarse && fine < 40 * coarse, "{method} {coarse} {fine}");
+    }
+    for (options, names) in [
+        (&["--tolerance", "0"][..], "positive"),
+        (&["--tolerance", "1e-12"], "13 million"),
+        (&["--tolerance", "1", "--resolution", "8"], "--resolution"),
+        (&["--method", "subdivision"], "--tolerance"),
+    ] {
+        let output =
+            run_with_input(&[&["mesh", "-", "-o", &path], options].concat(), BARE.as_bytes());
+        assert_refused(&output, &[names]);
+    }
+}
+
+#[test]
 fn bad_input_names_the_file_and_the_place() {
     let folder = TempDir::new().unwrap();
     assert_refused(&run(&["fit", "no-such-file.ply"]), &["no-such-file.ply"]);

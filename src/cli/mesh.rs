@@ -8,6 +8,7 @@ use super::output::write_mesh;
 
 pub(super) fn run(args: &MeshArgs) -> Result<u8, CliError> {
     let model = read_any_model(&args.model)?;
-    write_mesh(&args.output, &model, args.resolution)?;
+    let mesh = args.fineness.mesh(&model.shape)?.transformed(&model.pose);
+    write_mesh(&args.output, &mesh, &model)?;
     Ok(DONE)
 }

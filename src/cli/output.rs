@@ -9,8 +9,8 @@ use crate::cloud::{self, PointCloud};
 use crate::model::Model;
 use crate::output::write_whole;
 use crate::shape::Shape;
+use crate::surface::Mesh;
 use crate::surface::format::MeshFormat;
-use crate::surface::{Resolution, tessellate_shape};
 
 /// Writes text to a file, or to stdout where `-` was typed.
 pub(super) fn write_text(path: &Path, text: &str) -> Result<(), CliError> {
@@ -35,14 +35,8 @@ pub(super) fn write_inliers(
     Ok(write_whole(path, |writer| cloud::write_inliers(cloud, is_inlier, writer))?)
 }
 
-/// Writes the mesh of a model, in the world, in the format of the file's extension, and the
-/// model with it.
-pub(super) fn write_mesh(
-    path: &Path,
-    model: &Model<Shape>,
-    resolution: Resolution,
-) -> Result<(), CliError> {
+/// Writes a mesh in the format of the file's extension, and the model whose surface it is with it.
+pub(super) fn write_mesh(path: &Path, mesh: &Mesh, model: &Model<Shape>) -> Result<(), CliError> {
     let format = MeshFormat::from_extension(path)?;
-    let mesh = tessellate_shape(&model.shape, resolution).transformed(&model.pose);
-    Ok(write_whole(path, |writer| format.write(&mesh, Some(model), writer))?)
+    Ok(write_whole(path, |writer| format.write(mesh, Some(model), writer))?)
 }

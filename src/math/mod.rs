@@ -2,6 +2,7 @@
 
 mod beta;
 pub(crate) mod elementary;
+pub(crate) mod elementary32;
 mod gamma_variate;
 mod instruction_set;
 mod maximum;

@@ -12,7 +12,7 @@ use super::pose::pose_of;
 use crate::model::Model;
 use crate::output::write_whole;
 use crate::report::{ModelDocument, model_from_json};
-use crate::shape::Superellipsoid;
+use crate::shape::{Solid, Superellipsoid};
 use crate::surface::{Resolution, sample_solid, sample_surface, tessellate};
 
 /// Greatest difference between the entries of rotations that count as the same: that of a matrix
@@ -200,6 +200,24 @@ impl PyModel {
     /// below 1 inside, 1 on the surface, above 1 outside (JLS Eq. 2.16).
     fn inside_outside<'py>(&self, points: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
         Doubles::new("points", points)?.map_rows(points.py(), |x| self.0.inside_outside(x))
+    }
+
+    /// Gradients of F at points of shape (..., 3), in an array of that shape.
+    fn inside_outside_gradient<'py>(&self, points: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
+        let Model { shape, pose } = &self.0;
+        Doubles::new("points", points)?.map_rows_to_rows(points.py(), |x_world| {
+            pose.rotation() * shape.inside_outside_gradient(&pose.model_from_world(x_world))
+        })
+    }
+
+    /// Principal curvatures, the greater first, of the level surfaces of F through points of shape
+    /// (..., 3), in an array of shape (..., 2): positive where the surface bends away from its
+    /// outward normal.
+    fn curvatures<'py>(&self, points: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
+        let Model { shape, pose } = &self.0;
+        Doubles::new("points", points)?.map_rows_to_pairs(points.py(), |x_world| {
+            shape.curvatures(&pose.model_from_world(x_world)).principal
+        })
     }
 
     /// The gauge `F^(e1/2)` of points of shape (..., 3), in an array of shape (...): homogeneous

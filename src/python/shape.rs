@@ -140,6 +140,15 @@ impl PyShape {
         })
     }
 
+    /// Principal curvatures, the greater first, of the level surfaces of F through points of shape
+    /// (..., 3), in an array of shape (..., 2): positive where the surface bends away from its
+    /// outward normal.
+    fn curvatures<'py>(&self, points: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
+        Doubles::new("points", points)?.map_rows_to_pairs(points.py(), |x_world| {
+            self.0.shape.curvatures(&self.0.pose.model_from_world(x_world)).principal
+        })
+    }
+
     /// Whether points of shape (..., 3) are inside, the clip included: 1 or 0, in an array of
     /// shape (...).
     fn contains<'py>(&self, points: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {

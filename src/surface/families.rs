@@ -4,7 +4,7 @@ mod bowls;
 
 use nalgebra::Vector3;
 
-use super::grading::{lattice_lines, profile_lines};
+use super::grading::{Grading, lattice_lines, profile_lines};
 use super::lattice::CubeLattice;
 use super::mesh::Mesh;
 use super::tessellate::{Resolution, flattened_cube_point, split, tessellate};
@@ -31,7 +31,7 @@ pub fn tessellate_shape(shape: &Shape, resolution: Resolution) -> Mesh {
 /// The lattice of a cube whose lids are the caps: levels of z are superellipses.
 fn of_tower(tower: &SuperhyperboloidOneSheet, n: usize) -> Mesh {
     let [_, e2] = tower.exponents();
-    let across = lattice_lines(n, &[e2]);
+    let across = lattice_lines(n, &[e2], Grading::Even);
     let heights = profile_lines(n, tower.top(), |w| tower.radius(w));
     let place = |[i, j, k]: [usize; 3]| {
         let level = flattened_cube_point([across[i], across[j], 0.0], e2);
@@ -43,7 +43,7 @@ fn of_tower(tower: &SuperhyperboloidOneSheet, n: usize) -> Mesh {
 
 /// The lattice of a cube, projected from the centre.
 fn of_three_exponents(solid: &ThreeExponent, n: usize) -> Mesh {
-    let lines = lattice_lines(n, &solid.exponents().map(|n| 2.0 / n));
+    let lines = lattice_lines(n, &solid.exponents().map(|n| 2.0 / n), Grading::Even);
     let size = Vector3::from(solid.size());
     let place = |cell: [usize; 3]| {
         let x = Vector3::from(cell.map(|i| lines[i])).component_mul(&size);
@@ -84,7 +84,7 @@ fn of_torus(torus: &Supertoroid, n: usize) -> Mesh {
 
 /// `4 n` points counter-clockwise around the unit superellipse.
 fn loop_points(n: usize, e: f64) -> Vec<[f64; 2]> {
-    let lines = lattice_lines(n, &[e]);
+    let lines = lattice_lines(n, &[e], Grading::Even);
     let on_side = |side: usize, t: f64| match side {
         0 => [1.0, t],
         1 => [-t, 1.0],

@@ -1,5 +1,6 @@
 //! Surfaces as triangles and as points.
 
+mod deviation;
 mod families;
 pub mod format;
 mod grading;
@@ -7,10 +8,13 @@ mod lattice;
 mod mesh;
 mod parameterization;
 mod sample;
+mod subdivision;
 mod tessellate;
+mod tolerance;
 
 pub use families::tessellate_shape;
 pub use mesh::Mesh;
 pub use parameterization::Parameterization;
 pub use sample::{sample_solid, sample_surface};
 pub use tessellate::{Resolution, ResolutionError, tessellate};
+pub use tolerance::{MeshMethod, ToleranceError, tessellate_within};

@@ -136,3 +136,19 @@ def test_euclidean_distance_is_that_to_the_nearest_point(model):
     assert (np.abs(distances) <= nearest + 1e-12).all()
     assert (nearest < np.abs(distances) + 0.05).all()
     np.testing.assert_array_equal(distances < 0, model.inside_outside(points) < 1)
+
+
+def test_curvatures_are_the_closed_forms():
+    sphere = superquadric.Superellipsoid([2, 2, 2], [1, 1], **POSE)
+    points = sphere.position(np.linspace(-1, 1, 5)[:, None], np.linspace(-3, 3, 7))
+    curvatures = sphere.curvatures(points)
+    assert curvatures.shape == (5, 7, 2)
+    np.testing.assert_allclose(curvatures, 0.5, rtol=1e-12)
+    normals = (points - sphere.translation) / 2
+    np.testing.assert_allclose(sphere.inside_outside_gradient(points), normals, rtol=1e-11)
+
+    torus = superquadric.Supertoroid([1, 1, 1], [1, 1], 3, **POSE)
+    eta = np.linspace(-3, 3, 9)
+    around = np.cos(eta) / (3 + np.cos(eta))
+    curvatures = torus.curvatures(torus.position(eta, 0.4))
+    np.testing.assert_allclose(curvatures, np.stack([np.ones(9), around], axis=1), atol=1e-10)

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::super::grading::lattice_lines;
+use super::super::grading::{Grading, lattice_lines};
 use super::super::mesh::Mesh;
 use super::stretched;
 use crate::math::increasing_root;
@@ -11,7 +11,7 @@ use crate::shape::SuperhyperboloidTwoSheets;
 /// A square lattice of `n` cells a side, laid on a bowl and once more on its cap: both have the
 /// square's boundary, the rim, in common.
 pub(super) fn mesh(bowls: &SuperhyperboloidTwoSheets, n: usize) -> Mesh {
-    let lines = lattice_lines(n, &[1.0]);
+    let lines = lattice_lines(n, &[1.0], Grading::Even);
     let places: Vec<[f64; 2]> = (0..=n)
         .flat_map(|j| (0..=n).map(move |i| [i, j]))
         .map(|[i, j]| place(bowls, [lines[i], lines[j]]))
