@@ -25,6 +25,8 @@
 //! | `phi theta psi` | Euler angles ZYZ in radians: `R = Rz(phi) Ry(theta) Rz(psi)` |
 //! | `p` | the model's centre in the world: `x_world = R x_model + p` |
 //! | `F` | inside-outside function (JLS Eq. 2.16) |
+//! | `a4` | a supertoroid's ring, in units of a1 along x and of a2 along y |
+//! | `n1 n2 n3` | exponents of the solid of three: 2 is round |
 //! | `H = F^(e1/2)` | gauge: homogeneous of degree one, 1 on the surface |
 //! | `d` | signed radial Euclidean distance (JLS Eq. 2.43), negative inside |
 //!
@@ -44,6 +46,7 @@ pub mod cli;
 pub mod cloud;
 pub mod compare;
 pub mod error;
+pub mod exchange;
 pub mod math;
 pub mod model;
 pub mod output;

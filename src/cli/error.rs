@@ -7,11 +7,12 @@ use thiserror::Error;
 
 use crate::batch::BatchError;
 use crate::cloud::ReadError;
+use crate::exchange::{ExportError, ImportError};
 use crate::output::OutputError;
 use crate::recover::FitError;
 use crate::report::DocumentError;
 use crate::surface::ToleranceError;
-use crate::surface::format::UnknownMeshFormat;
+use crate::surface::format::{InscriptionError, UnknownMeshFormat};
 use crate::view::{ImageError, RimError, UnknownContourFormat};
 
 /// Why a command has failed.
@@ -25,6 +26,14 @@ pub(super) enum CliError {
     Input { name: String, source: io::Error },
     #[error("{name}: {source}")]
     Document { name: String, source: DocumentError },
+    #[error("{name}: {source}")]
+    Export { name: String, source: ExportError },
+    #[error("{name}: {source}")]
+    Import { name: String, source: ImportError },
+    #[error("{name}: {source}")]
+    Inscription { name: String, source: InscriptionError },
+    #[error("{name}: holds {count} superquadrics; choose one with --number, 1 to {count}")]
+    Number { name: String, count: usize },
     #[error(transparent)]
     Image(#[from] ImageError),
     #[error("--support auto needs --camera or --viewpoint: which side is up?")]
@@ -47,6 +56,8 @@ pub(super) enum CliError {
     MeshFormat(#[from] UnknownMeshFormat),
     #[error(transparent)]
     Tolerance(#[from] ToleranceError),
+    #[error("--tolerance is for a superellipsoid, found \"{0}\"; take --resolution")]
+    NoTolerance(&'static str),
     #[error(transparent)]
     Output(#[from] OutputError),
     #[error(transparent)]

@@ -3,12 +3,12 @@
 use super::DONE;
 use super::args::MeshArgs;
 use super::error::CliError;
-use super::input::read_model;
+use super::input::read_any_model;
 use super::output::write_mesh;
 
 pub(super) fn run(args: &MeshArgs) -> Result<u8, CliError> {
-    let model = read_model(&args.model)?;
+    let model = read_any_model(&args.model)?;
     let mesh = args.fineness.mesh(&model.shape)?.transformed(&model.pose);
-    write_mesh(&args.output, &mesh)?;
+    write_mesh(&args.output, &mesh, &model)?;
     Ok(DONE)
 }

@@ -6,7 +6,9 @@ use std::path::Path;
 use super::error::CliError;
 use super::input::is_stream;
 use crate::cloud::{self, PointCloud};
+use crate::model::Model;
 use crate::output::write_whole;
+use crate::shape::Shape;
 use crate::surface::Mesh;
 use crate::surface::format::MeshFormat;
 
@@ -33,8 +35,8 @@ pub(super) fn write_inliers(
     Ok(write_whole(path, |writer| cloud::write_inliers(cloud, is_inlier, writer))?)
 }
 
-/// Writes a mesh in the format of the file's extension.
-pub(super) fn write_mesh(path: &Path, mesh: &Mesh) -> Result<(), CliError> {
+/// Writes a mesh in the format of the file's extension, and the model whose surface it is with it.
+pub(super) fn write_mesh(path: &Path, mesh: &Mesh, model: &Model<Shape>) -> Result<(), CliError> {
     let format = MeshFormat::from_extension(path)?;
-    Ok(write_whole(path, |writer| format.write(mesh, writer))?)
+    Ok(write_whole(path, |writer| format.write(mesh, Some(model), writer))?)
 }

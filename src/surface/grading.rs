@@ -44,6 +44,27 @@ pub(super) fn lattice_lines(n: usize, exponents: &[f64], grading: Grading) -> Ve
     inwards.chain(outwards.iter().copied()).collect()
 }
 
+/// Positions in `[-top, top]` of the `n + 1` lines, `n` even, across an even profile `radius(w)`,
+/// by the measure of [`Grading::Even`] along it.
+pub(super) fn profile_lines(n: usize, top: f64, radius: impl Fn(f64) -> f64) -> Vec<f64> {
+    let place = |i: usize| top * i as f64 / TABLE_STEPS as f64;
+    let mut measure = vec![0.0; TABLE_STEPS + 1];
+    let mut last_angle = 0.0;
+    for i in 1..=TABLE_STEPS {
+        let [low, high] = [place(i - 1), place(i)];
+        let rise = radius(high) - radius(low);
+        let (length, angle) = (rise.hypot(high - low), rise.atan2(high - low));
+        let turn = if i == 1 { 0.0 } else { (angle - last_angle).abs() };
+        measure[i] = measure[i - 1] + Grading::Even.measure(length, turn);
+        last_angle = angle;
+    }
+    let half = n / 2;
+    let line = |i: usize| top * inverse(&measure, i as f64 / half as f64);
+    let upwards: Vec<f64> = (0..=half).map(line).collect();
+    let downwards = upwards.iter().skip(1).rev().map(|w| -w);
+    downwards.chain(upwards.iter().copied()).collect()
+}
+
 /// The measure from slope `t = y/x = 0` on, at equal steps of t up to the diagonal `t = 1`.
 fn cumulative_measure(exponents: &[f64], grading: Grading) -> Vec<f64> {
     let mut measure = vec![0.0; TABLE_STEPS + 1];

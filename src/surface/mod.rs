@@ -1,6 +1,7 @@
 //! Surfaces as triangles and as points.
 
 mod deviation;
+mod families;
 pub mod format;
 mod grading;
 mod lattice;
@@ -11,6 +12,7 @@ mod subdivision;
 mod tessellate;
 mod tolerance;
 
+pub use families::tessellate_shape;
 pub use mesh::Mesh;
 pub use parameterization::Parameterization;
 pub use sample::{sample_solid, sample_surface};

@@ -92,7 +92,7 @@ pub(super) fn lattice_mesh(
 
 /// A point of the cube's surface, moved so that squares about the z axis become superellipses
 /// of exponent e2: edges of the cube become edges of the solid.
-fn flattened_cube_point([x, y, z]: [f64; 3], e2: f64) -> Vector3<f64> {
+pub(super) fn flattened_cube_point([x, y, z]: [f64; 3], e2: f64) -> Vector3<f64> {
     let side = x.abs().max(y.abs());
     let shrink = if side == 0.0 { 1.0 } else { side / superellipse_norm(x.abs(), y.abs(), e2) };
     Vector3::new(x * shrink, y * shrink, z)
@@ -112,7 +112,7 @@ fn along_crease(square: [[usize; 3]; 4], n: usize) -> Option<[[usize; 3]; 4]> {
 }
 
 /// Two triangles of a quadrilateral, cut along the diagonal that leaves the fatter ones.
-fn split([a, b, c, d]: [usize; 4], vertices: &[Vector3<f64>]) -> [[u32; 3]; 2] {
+pub(super) fn split([a, b, c, d]: [usize; 4], vertices: &[Vector3<f64>]) -> [[u32; 3]; 2] {
     let least_fatness = |[first, second]: [[u32; 3]; 2]| {
         let fatness = |triangle: [u32; 3]| fatness(triangle.map(|i| vertices[i as usize]));
         fatness(first).min(fatness(second))

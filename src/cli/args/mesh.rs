@@ -3,8 +3,9 @@
 use clap::ValueEnum;
 
 use super::parse::{positive, resolution};
-use crate::shape::Superellipsoid;
-use crate::surface::{Mesh, MeshMethod, Resolution, ToleranceError, tessellate, tessellate_within};
+use crate::cli::error::CliError;
+use crate::shape::Shape;
+use crate::surface::{Mesh, MeshMethod, Resolution, tessellate_shape, tessellate_within};
 
 /// How fine a mesh is to be.
 #[derive(Debug, clap::Args)]
@@ -22,10 +23,16 @@ pub(in crate::cli) struct FinenessArgs {
 
 impl FinenessArgs {
     /// The mesh of a shape that is meant.
-    pub fn mesh(&self, shape: &Superellipsoid) -> Result<Mesh, ToleranceError> {
-        match self.tolerance {
-            Some(tolerance) => tessellate_within(shape, tolerance, self.method.into()),
-            None => Ok(tessellate(shape, self.resolution)),
+    ///
+    /// # Errors
+    /// If the tolerance is none for the shape.
+    pub fn mesh(&self, shape: &Shape) -> Result<Mesh, CliError> {
+        match (self.tolerance, shape) {
+            (None, shape) => Ok(tessellate_shape(shape, self.resolution)),
+            (Some(tolerance), Shape::Superellipsoid(shape)) => {
+                Ok(tessellate_within(shape, tolerance, self.method.into())?)
+            }
+            (Some(_), other) => Err(CliError::NoTolerance(other.family())),
         }
     }
 }

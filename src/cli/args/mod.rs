@@ -1,5 +1,6 @@
 //! What can be typed.
 
+mod exchange;
 mod fit;
 mod mesh;
 mod parse;
@@ -10,6 +11,7 @@ mod view;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
+pub(super) use exchange::{ExportArgs, ImportArgs};
 pub(super) use fit::FitArgs;
 pub(super) use mesh::FinenessArgs;
 pub(super) use sensor::{SensorArgs, SupportArg};
@@ -37,6 +39,8 @@ Examples:
   superquadric info fit.json
   superquadric contour fit.json --camera camera.json -o outline.svg
   superquadric overlay fit.json --camera camera.json --image photo.png -o overlay.png
+  superquadric export fit.json --to lammps -o particle.data
+  superquadric import particle.data --from lammps -o model.json
 
 Exit codes:
   0  done
@@ -47,7 +51,8 @@ A model is a superellipsoid
   ((|x|/a1)^(2/e2) + (|y|/a2)^(2/e2))^(e2/e1) + (|z|/a3)^(2/e1) = 1
 with semi-axes a1 a2 a3 in the cloud's own unit and exponents e1 (north-south) and e2
 (east-west), turned by Euler angles ZYZ and moved to its centre. Exponents near 0 are boxes, 1 is
-round, 2 is bevelled.";
+round, 2 is bevelled. Models of the other families (superhyperboloid_one_sheet,
+superhyperboloid_two_sheets, supertoroid, three_exponent) can be given to info and mesh.";
 
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
@@ -56,6 +61,8 @@ pub(super) enum Command {
     Info(InfoArgs),
     Contour(ContourArgs),
     Overlay(OverlayArgs),
+    Export(ExportArgs),
+    Import(ImportArgs),
     Batch(BatchArgs),
     Completions(CompletionsArgs),
 }
@@ -83,12 +90,12 @@ impl SearchArgs {
     }
 }
 
-/// Write a mesh of a model's surface.
+/// Write a mesh of a model's surface, with the model's parameters in the file.
 #[derive(Debug, clap::Args)]
 pub(super) struct MeshArgs {
     /// A fit or a bare model in JSON; - is stdin.
     pub model: PathBuf,
-    /// File to write: .ply, .obj or .stl.
+    /// File to write: .ply, .obj, .stl or .glb.
     #[arg(short, long, value_name = "MESH")]
     pub output: PathBuf,
     #[command(flatten)]
