@@ -261,7 +261,7 @@ fn mesh_is_as_fine_as_its_tolerance_asks_for_by_every_method() {
     }
     for (options, names) in [
         (&["--tolerance", "0"][..], "positive"),
-        (&["--tolerance", "1e-12"], "13 million"),
+        (&["--tolerance", "1e-12", "--method", "lattice"], "13 million"),
         (&["--tolerance", "1", "--resolution", "8"], "--resolution"),
         (&["--method", "subdivision"], "--tolerance"),
     ] {

@@ -19,7 +19,7 @@ const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/pictures/gallery
 /// A file's name and what draws it.
 type Figure = (&'static str, fn() -> Picture);
 
-const FIGURES: [Figure; 8] = [
+const FIGURES: [Figure; 11] = [
     ("fb81-3.png", curves::nine_superellipses),
     ("fb81-4.png", curves::equal_steps_of_the_angle),
     ("fb81-5.png", sampling::parametric_and_explicit),
@@ -28,6 +28,9 @@ const FIGURES: [Figure; 8] = [
     ("jls-2-12.png", volume_graph::volume_ratio),
     ("jls-2-13.png", solids::phong),
     ("b81-7.png", solids::superellipsoids),
+    ("b81-8.png", solids::superhyperboloids_of_one_sheet),
+    ("b81-9.png", solids::superhyperboloids_of_two_sheets),
+    ("b81-10.png", solids::supertoroids),
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {

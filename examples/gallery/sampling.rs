@@ -1,7 +1,7 @@
 //! FB81 Fig. 5: a cuboid by raw parametric and by explicit sampling.
 
 use nalgebra::Vector3;
-use superquadric::shape::Superellipsoid;
+use superquadric::shape::{Shape, Superellipsoid};
 use superquadric::surface::Parameterization;
 
 use crate::picture::{INK, Panel, Picture};
@@ -38,7 +38,12 @@ fn draw_net(
     rows: &[Vec<Vector3<f64>>],
 ) {
     let camera_from_model = shading::from_above();
-    let view = View { shape, camera_from_model, half_width: HALF_WIDTH, color: [1.0; 3] };
+    let view = View {
+        shape: &Shape::from(*shape),
+        camera_from_model,
+        half_width: HALF_WIDTH,
+        color: [1.0; 3],
+    };
     let (buffer, _) = shading::sampled(&view, panel.side);
     let is_seen = |x_model: &Vector3<f64>| {
         let x = camera_from_model * x_model;

@@ -1,6 +1,9 @@
-//! Shaded solids: B81 Fig. 7, JLS Figs. 2.5 and 2.13.
+//! Shaded solids: B81 Figs. 7 to 10, JLS Figs. 2.5 and 2.13.
 
-use superquadric::shape::Superellipsoid;
+use superquadric::error::ModelError;
+use superquadric::shape::{
+    Shape, Superellipsoid, SuperhyperboloidOneSheet, SuperhyperboloidTwoSheets, Supertoroid,
+};
 
 use crate::picture::{Panel, Picture};
 use crate::shading::{self, View};
@@ -8,17 +11,35 @@ use crate::shading::{self, View};
 const CLAY: [f64; 3] = [0.85, 0.55, 0.35];
 const STEEL: [f64; 3] = [0.45, 0.60, 0.80];
 
-/// Lengths that half a panel stands for: a cube's corner is sqrt(3) off.
+/// Exponents of B81's figures: square, rounded, round, bevelled, pinched.
+const FIVE: [f64; 5] = [0.1, 0.5, 1.0, 2.0, 3.0];
+
+/// Length that half a panel stands for: a cube's corner is sqrt(3) off.
 const HALF_WIDTH: f64 = 1.75;
 
-/// JLS Fig. 2.5: exponents 0.1, 1 and 2; e1 from top to bottom, e2 from left to right.
+/// JLS Fig. 2.5: exponents 0.1, 1 and 2.
 pub fn nine_superellipsoids() -> Picture {
-    squared(&[0.1, 1.0, 2.0], |exponents| Superellipsoid::new([0.8, 1.0, 1.2], exponents))
+    squared(&[0.1, 1.0, 2.0], |e| Superellipsoid::new([0.8, 1.0, 1.2], e))
 }
 
-/// B81 Fig. 7: superellipsoids of five exponents squared.
+/// B81 Fig. 7.
 pub fn superellipsoids() -> Picture {
-    squared(&[0.1, 0.5, 1.0, 2.0, 3.0], |exponents| Superellipsoid::new([1.0; 3], exponents))
+    squared(&FIVE, |e| Superellipsoid::new([1.0; 3], e))
+}
+
+/// B81 Fig. 8.
+pub fn superhyperboloids_of_one_sheet() -> Picture {
+    squared(&FIVE, |e| SuperhyperboloidOneSheet::new([0.4, 0.4, 0.8], e, 1.0))
+}
+
+/// B81 Fig. 9.
+pub fn superhyperboloids_of_two_sheets() -> Picture {
+    squared(&FIVE, |e| SuperhyperboloidTwoSheets::new([0.5; 3], e, 1.1))
+}
+
+/// B81 Fig. 10.
+pub fn supertoroids() -> Picture {
+    squared(&FIVE, |e| Supertoroid::new([0.4; 3], e, 2.2))
 }
 
 /// JLS Fig. 2.13: a model with Phong's shading and three lights.
@@ -26,26 +47,26 @@ pub fn phong() -> Picture {
     let mut picture = Picture::new(320, 320);
     let shape = Superellipsoid::new([1.0, 1.2, 0.9], [0.3, 0.6]).expect("a valid shape");
     let panel = Panel { corner: [0, 0], side: 320 };
-    draw(&mut picture, &panel, &shape, STEEL);
+    draw(&mut picture, &panel, &shape.into(), STEEL);
     picture
 }
 
 /// A shape for each pair of exponents: e1 from top to bottom, e2 from left to right.
-fn squared<E: std::fmt::Debug>(
+fn squared<S: Into<Shape>>(
     exponents: &[f64],
-    shape: impl Fn([f64; 2]) -> Result<Superellipsoid, E>,
+    shape: impl Fn([f64; 2]) -> Result<S, ModelError>,
 ) -> Picture {
     const SIDE: usize = 120;
     let count = exponents.len();
     let mut picture = Picture::new((SIDE * count) as u32, (SIDE * count) as u32);
     let pairs = exponents.iter().flat_map(|&e1| exponents.iter().map(move |&e2| [e1, e2]));
     for (panel, pair) in Panel::grid(count, count, SIDE).iter().zip(pairs) {
-        draw(&mut picture, panel, &shape(pair).expect("a valid shape"), CLAY);
+        draw(&mut picture, panel, &shape(pair).expect("a valid shape").into(), CLAY);
     }
     picture
 }
 
-fn draw(picture: &mut Picture, panel: &Panel, shape: &Superellipsoid, color: [f64; 3]) {
+fn draw(picture: &mut Picture, panel: &Panel, shape: &Shape, color: [f64; 3]) {
     let camera_from_model = shading::from_above();
     shading::draw(
         picture,

@@ -11,6 +11,9 @@ use crate::surface::Parameterization;
 /// each pixel of the outline, but for those that the outline only touches, there is one.
 const SPACING: f64 = 0.5;
 
+/// Most steps of a quarter: enough for the largest buffer.
+const MOST_STEPS: usize = 1 << 15;
+
 /// Writes the surface, turned by `camera_from_model` and seen along the camera's z axis in a
 /// parallel view, into the z-buffer where it is nearer than what is there; the placement says
 /// where the centre is seen, and is not moved to half pixels.
@@ -19,8 +22,8 @@ const SPACING: f64 = 0.5;
 /// point is nearer than what was there: the last one told is the one seen.
 ///
 /// The points are spherical products of equally distant points of the superellipses (FB81's
-/// method 5), half a pixel apart. Domain: any exponents; a pixel not too small for so many points
-/// to be written.
+/// method 5), half a pixel apart. Domain: any exponents; a shape of up to 16,384 pixels, beyond
+/// which points are further apart.
 pub fn scatter(
     buffer: &mut ZBuffer,
     shape: &Superellipsoid,
@@ -29,8 +32,8 @@ pub fn scatter(
     mut visit: impl FnMut(usize, &Vector3<f64>),
 ) {
     let step = SPACING * placement.pixel;
-    let [meridian, equator] = Parameterization::EqualDistance
-        .product(shape, |quarter_length| (quarter_length / step).ceil() as usize);
+    let steps = |length: f64| ((length / step).ceil() as usize).clamp(1, MOST_STEPS);
+    let [meridian, equator] = Parameterization::EqualDistance.product(shape, steps);
     let camera_from_unit = camera_from_model.matrix() / placement.pixel;
     for &[scale, z] in &meridian {
         for &[x, y] in &equator {

@@ -8,6 +8,9 @@ const TABLE_STEPS: usize = 4096;
 
 /// Points from `(a, 0)` to `(0, b)`.
 pub(super) fn quarter([a, b]: [f64; 2], e: f64, n: usize) -> Vec<[f64; 2]> {
+    if n == 0 {
+        return vec![[a, 0.0]];
+    }
     let lengths = chord_lengths([a, b], e);
     let total = lengths[TABLE_STEPS];
     let point = |i: usize| {

@@ -52,6 +52,13 @@ fn curves_go_once_around_on_the_superellipse_and_meet_the_axes() {
 }
 
 #[test]
+fn no_steps_give_no_points() {
+    for parameterization in Parameterization::ALL {
+        assert!(points(parameterization, [2.0, 1.0], 0.5, 0).is_empty());
+    }
+}
+
+#[test]
 fn equal_distances_are_equal_whatever_the_semi_axes() {
     for e in EXPONENTS {
         for [a, b, _] in SIZES {
