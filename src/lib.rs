@@ -33,7 +33,7 @@
 //!
 //! # Modules, in the order in which data flows
 //!
-//! [`math`] -> [`shape`] and [`pose`] -> [`model`] -> [`surface`], [`compare`]; [`cloud`] and
+//! [`math`] -> [`shape`] and [`pose`] -> [`model`], [`deform`] -> [`surface`], [`compare`]; [`cloud`] and
 //! [`view`] -> [`recover`] -> [`report`] and [`batch`] -> [`output`] and the command line. Nothing below the command line
 //! prints or exits.
 
@@ -43,6 +43,7 @@ mod canonical;
 pub mod cli;
 pub mod cloud;
 pub mod compare;
+pub mod deform;
 pub mod error;
 pub mod math;
 pub mod model;

@@ -3,6 +3,7 @@
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use crate::error::ModelError;
+use crate::math::Scalar;
 
 /// Largest departure of `R' R` from the identity that still counts as a rotation: a matrix
 /// written with eight digits passes.
@@ -108,6 +109,23 @@ impl Pose {
     pub fn model_from_world(&self, x_world: &Vector3<f64>) -> Vector3<f64> {
         self.rotation.inverse_transform_vector(&(x_world - self.translation))
     }
+
+    /// [`world_from_model`](Self::world_from_model) in any numbers.
+    pub(crate) fn world_from_model_of<S: Scalar>(&self, x_model: [S; 3]) -> [S; 3] {
+        let turned = turned(self.rotation.matrix(), x_model);
+        std::array::from_fn(|i| turned[i] + self.translation[i])
+    }
+
+    /// [`model_from_world`](Self::model_from_world) in any numbers.
+    pub(crate) fn model_from_world_of<S: Scalar>(&self, x_world: [S; 3]) -> [S; 3] {
+        let offset = std::array::from_fn(|i| x_world[i] + -self.translation[i]);
+        turned(&self.rotation.matrix().transpose(), offset)
+    }
+}
+
+/// A matrix times a vector in any numbers.
+fn turned<S: Scalar>(matrix: &Matrix3<f64>, x: [S; 3]) -> [S; 3] {
+    std::array::from_fn(|i| x[0] * matrix[(i, 0)] + x[1] * matrix[(i, 1)] + x[2] * matrix[(i, 2)])
 }
 
 /// The rotation nearest to an almost orthonormal matrix.

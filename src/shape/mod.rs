@@ -6,7 +6,8 @@ mod mass;
 mod superellipse;
 mod superellipsoid;
 
-pub(crate) use gauge::{GaugeTerms, LOG_FLOOR, TINY, superellipse_norm};
+pub(crate) use crate::math::superellipse_norm;
+pub(crate) use gauge::{GaugeTerms, LOG_FLOOR, TINY};
 pub use mass::MassProperties;
 pub use superellipse::Superellipse;
 pub use superellipsoid::Superellipsoid;

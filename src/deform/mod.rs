@@ -1,0 +1,29 @@
+//! Global deformations of space (B84 section 2): scaling, taper, twist and bend.
+//!
+//! A deformation maps a point `x` of the undeformed object to `X = F(x)`. Tangents follow by the
+//! Jacobian `J`, normals by its cofactors `det J J^-T` (B84 Eq. 1.2a and appendix A), volumes by
+//! `det J`, which is positive throughout a deformation's domain. Coordinates are in the object's
+//! own unit.
+
+mod bend;
+mod chain;
+mod deformation;
+mod error;
+mod map;
+mod profile;
+mod scale;
+mod taper;
+mod twist;
+
+pub use bend::Bend;
+pub use chain::Chain;
+pub use deformation::{Deformation, Kind};
+pub use error::DeformError;
+pub use map::Deform;
+pub use profile::{Line, Polyline, Profile, Spline};
+pub use scale::Scale;
+pub use taper::Taper;
+pub use twist::Twist;
+
+#[cfg(test)]
+mod laws;
