@@ -1,15 +1,15 @@
-//! A superellipsoid in general position: the eleven parameters (JLS section 2.3).
+//! A shape in general position (JLS section 2.3).
 
 use nalgebra::Vector3;
 
 use crate::pose::Pose;
-use crate::shape::{MassProperties, Superellipsoid};
+use crate::shape::{MassProperties, Shape, Solid, Superellipsoid};
 
-/// A shape and where it stands in the world.
+/// A shape and where it stands in the world: a superellipsoid if nothing else is said.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Model {
+pub struct Model<S = Superellipsoid> {
     /// The shape, in its own frame.
-    pub shape: Superellipsoid,
+    pub shape: S,
     /// The motion from the shape's frame to the world.
     pub pose: Pose,
 }
@@ -24,14 +24,27 @@ impl Model {
         [a1, a2, a3, e1, e2, phi, theta, psi, px, py, pz]
     }
 
+    /// The gauge `F^(e1/2)` at a point of the world.
+    pub fn gauge(&self, x_world: &Vector3<f64>) -> f64 {
+        self.shape.gauge(&self.pose.model_from_world(x_world))
+    }
+}
+
+impl From<Model> for Model<Shape> {
+    fn from(Model { shape, pose }: Model) -> Self {
+        Self { shape: shape.into(), pose }
+    }
+}
+
+impl<S: Solid> Model<S> {
     /// The inside-outside function F at a point of the world (JLS Eq. 2.33).
     pub fn inside_outside(&self, x_world: &Vector3<f64>) -> f64 {
         self.shape.inside_outside(&self.pose.model_from_world(x_world))
     }
 
-    /// The gauge `F^(e1/2)` at a point of the world.
-    pub fn gauge(&self, x_world: &Vector3<f64>) -> f64 {
-        self.shape.gauge(&self.pose.model_from_world(x_world))
+    /// Whether a point of the world is inside.
+    pub fn contains(&self, x_world: &Vector3<f64>) -> bool {
+        self.shape.contains(&self.pose.model_from_world(x_world))
     }
 
     /// Signed radial Euclidean distance of a point of the world (JLS Eq. 2.43).

@@ -1,16 +1,30 @@
 //! Shapes in their own frame, a file or folder a family.
 
 mod arc;
+mod curve;
+mod family;
+mod form;
 mod gauge;
 mod mass;
+mod parametric;
+mod solid;
+mod spherical_product;
 mod superellipse;
 mod superellipsoid;
 
 pub(crate) use crate::math::superellipse_norm;
+pub use curve::{Curve, CurvePoint};
+pub use family::Shape;
 pub(crate) use gauge::{GaugeTerms, LOG_FLOOR, TINY};
 pub use mass::MassProperties;
+pub use parametric::Parametric;
+pub use solid::Solid;
+pub use spherical_product::SphericalProduct;
 pub use superellipse::Superellipse;
 pub use superellipsoid::Superellipsoid;
+
+#[cfg(test)]
+mod laws;
 
 use crate::error::ModelError;
 

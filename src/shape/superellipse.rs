@@ -1,7 +1,10 @@
 //! The superellipse (JLS section 2.1, B81).
 
+use std::f64::consts::PI;
+
 use nalgebra::Vector2;
 
+use super::curve::{Curve, CurvePoint, Jet};
 use crate::error::ModelError;
 use crate::math::superellipse_norm;
 use crate::math::{beta, signed_power};
@@ -23,6 +26,11 @@ impl Superellipse {
         super::validated_size(&size)?;
         super::validated_exponents(&[exponent])?;
         Ok(Self { size, exponent })
+    }
+
+    /// A superellipse of semi-axes and an exponent known to be valid.
+    pub(crate) fn of(size: [f64; 2], exponent: f64) -> Self {
+        Self { size, exponent }
     }
 
     /// Semi-axes `[a, b]`.
@@ -64,6 +72,18 @@ impl Superellipse {
     }
 }
 
+impl Curve for Superellipse {
+    fn range(&self) -> [f64; 2] {
+        [-PI, PI]
+    }
+
+    fn at(&self, theta: f64) -> CurvePoint {
+        let [cos, sin] = Jet::cos_sin(theta);
+        let [a, b] = self.size;
+        CurvePoint::of_components([cos.power(self.exponent, a), sin.power(self.exponent, b)])
+    }
+}
+
 /// Area of the superellipse with semi-axes 1 (JLS Eq. 2.52).
 pub(crate) fn unit_area(e: f64) -> f64 {
     2.0 * e * beta(0.5 * e, 0.5 * e + 1.0)
@@ -77,7 +97,6 @@ pub(crate) fn unit_second_moment(e: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::f64::consts::PI;
 
     /// Error of exponent 1e-5 in place of 0, which is quadratic.
     const NEAR_ZERO: f64 = 1e-9;

@@ -1,6 +1,7 @@
 //! The superellipsoid in its own frame (B81; JLS section 2.2).
 
 mod mass;
+mod solid;
 
 use nalgebra::Vector3;
 
