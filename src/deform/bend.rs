@@ -90,19 +90,20 @@ impl Bend {
         [half_sin * half_cos * (2.0 * radius), half_sin * half_sin * (2.0 * radius)]
     }
 
-    /// The angle of a point about the axis, moved to the nearest of the bent region.
-    ///
-    /// Angles are measured from the middle of the region, so that the two rigid ends part at
-    /// the angle opposite to it.
-    fn nearest_angle<S: Scalar>(&self, y: S, z: S) -> S {
+    /// The middle of the bent region as an angle.
+    fn middle(&self) -> f64 {
         let [y_min, y_max] = self.range;
-        let middle = self.rate * (0.5 * (y_min + y_max) - self.center);
-        let (s, c) = middle.sin_cos();
+        self.rate * (0.5 * (y_min + y_max) - self.center)
+    }
+
+    /// A point of the bent space about the bend's axis: its angle from the middle of the region,
+    /// where the two rigid ends part at the opposite angle, and its distance, in radii.
+    fn polar<S: Scalar>(&self, y: S, z: S) -> [S; 2] {
+        let (s, c) = self.middle().sin_cos();
         let along = (y + -self.center) * self.rate;
         let across = -(z * self.rate) + 1.0;
-        let angle = (along * c - across * s).atan2(across * c + along * s);
-        let half = 0.5 * self.angle();
-        angle.clamp(-half, half) + middle
+        let (sine, cosine) = (along * c - across * s, across * c + along * s);
+        [sine.atan2(cosine), S::superellipse_norm(sine.abs(), cosine.abs(), 1.0)]
     }
 }
 
@@ -112,9 +113,8 @@ impl Deform for Bend {
             return [x, y, z];
         }
         let [y_min, y_max] = self.range;
-        let nearest = y.clamp(y_min, y_max);
-        let beyond = y - nearest;
-        let theta = (nearest + -self.center) * self.rate;
+        let beyond = y.excess(y_min, y_max);
+        let theta = (y.clamp(y_min, y_max) + -self.center) * self.rate;
         let (s, c) = theta.sin_cos();
         let [along, across] = self.arc(theta);
         [x, along - s * z + c * beyond + self.center, across + c * z + s * beyond]
@@ -126,12 +126,15 @@ impl Deform for Bend {
         if self.rate == 0.0 {
             return [x, y, z];
         }
-        let theta = self.nearest_angle(y, z);
+        let radius = self.rate.recip();
+        let half = 0.5 * self.angle();
+        let [angle, distance] = self.polar(y, z);
+        let theta = angle.clamp(-half, half) + self.middle();
+        let (beyond_sin, _) = angle.excess(-half, half).sin_cos();
+        let beyond = distance * beyond_sin * radius;
         let (s, c) = theta.sin_cos();
-        let [along, across] = self.arc(theta);
-        let from_center = y + -self.center;
-        let beyond = from_center * c + z * s - along;
-        [x, theta * self.rate.recip() + self.center + beyond, across + z * c - from_center * s]
+        let [_, across] = self.arc(theta);
+        [x, theta * radius + self.center + beyond, across + z * c - (y + -self.center) * s]
     }
 
     fn check(&self, [_, y, z]: [Interval; 3]) -> Result<(), DeformError> {
@@ -144,7 +147,7 @@ impl Deform for Bend {
         if is_bent && stretch.lo() <= 0.0 {
             return Err(DeformError::BendFolds { z: z.middle(), stretch: stretch.lo() });
         }
-        let beyond = (y - y.clamp(y_min, y_max)).abs() * self.rate.abs();
+        let beyond = y.excess(y_min, y_max).abs() * self.rate.abs();
         let room = PI - (0.5 - MEETING_TOLERANCE) * self.angle();
         let is_apart = beyond.hi() == 0.0 || beyond.atan2(stretch).hi() <= room;
         if is_apart { Ok(()) } else { Err(DeformError::BendMeets { y: y.middle() }) }

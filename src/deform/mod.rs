@@ -3,11 +3,12 @@
 //! A deformation maps a point `x` of the undeformed object to `X = F(x)`. Tangents follow by the
 //! Jacobian `J`, normals by its cofactors `det J J^-T` (B84 Eq. 1.2a and appendix A), volumes by
 //! `det J`, which is positive throughout a deformation's domain. Coordinates are in the object's
-//! own unit.
+//! own unit. [`Deformed`] is a shape after a chain of deformations.
 
 mod bend;
 mod chain;
 mod deformation;
+mod deformed;
 mod error;
 mod map;
 mod profile;
@@ -18,6 +19,7 @@ mod twist;
 pub use bend::Bend;
 pub use chain::Chain;
 pub use deformation::{Deformation, Kind};
+pub use deformed::{Deformed, MassEstimate};
 pub use error::DeformError;
 pub use map::Deform;
 pub use profile::{Line, Polyline, Profile, Spline};

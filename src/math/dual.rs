@@ -92,6 +92,11 @@ impl Scalar for Dual {
         Self { value: self.value.clamp(lo, hi), slope }
     }
 
+    fn excess(self, lo: f64, hi: f64) -> Self {
+        let slope = self.slope * (-self.value.clamp_slope(lo, hi) + 1.0);
+        Self { value: self.value.excess(lo, hi), slope }
+    }
+
     fn sin_cos(self) -> (Self, Self) {
         let (sin, cos) = (self.value.sin(), self.value.cos());
         (
@@ -134,6 +139,7 @@ mod tests {
             -(cos * 3.0) * t.abs(),
             (t * t + 1.0).recip(),
             t.clamp(-0.3, 0.4) * t,
+            t.excess(-0.3, 0.4) * t,
             (t + 0.2).atan2(cos + 0.5),
             S::superellipse_norm(t.abs(), (cos * 0.7).abs(), 0.3),
             S::superellipse_norm((t * t).abs(), S::constant(0.2), 1.7),

@@ -29,6 +29,9 @@ pub trait Scalar:
     /// The nearest number of `[lo, hi]`.
     fn clamp(self, lo: f64, hi: f64) -> Self;
 
+    /// By how much it lies beyond `[lo, hi]`: negative below, 0 within.
+    fn excess(self, lo: f64, hi: f64) -> Self;
+
     /// Sine and cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);
 
@@ -57,6 +60,10 @@ impl Scalar for f64 {
 
     fn clamp(self, lo: f64, hi: f64) -> Self {
         self.clamp(lo, hi)
+    }
+
+    fn excess(self, lo: f64, hi: f64) -> Self {
+        self - self.clamp(lo, hi)
     }
 
     fn sin_cos(self) -> (Self, Self) {
@@ -91,6 +98,10 @@ impl Scalar for Interval {
 
     fn clamp(self, lo: f64, hi: f64) -> Self {
         self.clamp(lo, hi)
+    }
+
+    fn excess(self, lo: f64, hi: f64) -> Self {
+        self.excess(lo, hi)
     }
 
     fn sin_cos(self) -> (Self, Self) {

@@ -25,10 +25,16 @@ pub(crate) struct ArcNode {
 
 /// The nodes of a quarter of the unit superellipse. Domain: `e > 0`.
 pub(crate) fn arc_nodes(e: f64) -> impl Iterator<Item = ArcNode> + Clone {
+    arc_rule(e, HALF_NODES)
+}
+
+/// So many nodes on either side of the diagonal, and the diagonal; every other of them, with
+/// twice the weight, is the rule of half as many. Domain: `e > 0`.
+pub(crate) fn arc_rule(e: f64, half_nodes: i32) -> impl Iterator<Item = ArcNode> + Clone {
     let spread = 0.5 * e;
     let last = (LAST_LOG_SLOPE * spread.max(1.0) / spread).asinh();
-    let step = last / f64::from(HALF_NODES);
-    (-HALF_NODES..=HALF_NODES).map(move |i| {
+    let step = last / f64::from(half_nodes);
+    (-half_nodes..=half_nodes).map(move |i| {
         let v = step * f64::from(i);
         let power = v.sinh(); // ln of (y/x)^(2/e)
         let (log_x, log_y) = (-log_sum(power), -log_sum(-power));

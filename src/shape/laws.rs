@@ -128,7 +128,8 @@ fn normals_are_along_the_gradient_and_perpendicular_to_both_tangents() {
         }
         // On an edge the gradient is the mean of both sides'.
         let gradient = shape.inside_outside_gradient(&shape.position(eta, omega));
-        let is_edge = shape.exponents().iter().any(|&e| e >= 2.0);
+        let Shape::Superellipsoid(of_family) = shape;
+        let is_edge = of_family.exponents().iter().any(|&e| e >= 2.0);
         if is_edge && smooth_angles(shape).iter().all(|angle| *angle != [eta, omega]) {
             return None;
         }

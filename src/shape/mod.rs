@@ -1,10 +1,11 @@
 //! Shapes in their own frame, a file or folder a family.
 
-mod arc;
+pub(crate) mod arc;
 mod curve;
 mod family;
 mod form;
 mod gauge;
+mod level_set;
 mod mass;
 mod parametric;
 mod solid;
@@ -16,12 +17,14 @@ pub(crate) use crate::math::superellipse_norm;
 pub use curve::{Curve, CurvePoint};
 pub use family::Shape;
 pub(crate) use gauge::{GaugeTerms, LOG_FLOOR, TINY};
+pub use level_set::LevelSet;
 pub use mass::MassProperties;
 pub use parametric::Parametric;
 pub use solid::Solid;
 pub use spherical_product::SphericalProduct;
 pub use superellipse::Superellipse;
 pub use superellipsoid::Superellipsoid;
+pub(crate) use superellipsoid::area_element;
 
 #[cfg(test)]
 mod laws;

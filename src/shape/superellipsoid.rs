@@ -5,6 +5,8 @@ mod solid;
 
 use nalgebra::Vector3;
 
+pub(crate) use mass::area_element;
+
 use super::gauge::GaugeTerms;
 use crate::error::ModelError;
 use crate::math::{signed_power, superellipse_norm};

@@ -60,6 +60,16 @@ impl Interval {
         }
     }
 
+    /// By how much the numbers lie beyond `[lo, hi]`: they ascend.
+    pub fn excess(self, lo: f64, hi: f64) -> Self {
+        let beyond = |x: f64| x - x.clamp(lo, hi);
+        let (least, greatest) = (beyond(self.lo), beyond(self.hi));
+        let rounded = Self::outward(least, greatest);
+        // Within, nothing was rounded.
+        let lo = if least == 0.0 { 0.0 } else { rounded.lo };
+        Self { lo, hi: if greatest == 0.0 { 0.0 } else { rounded.hi } }
+    }
+
     /// The sines.
     pub fn sin(self) -> Self {
         self.wave(f64::sin, FRAC_PI_2)

@@ -34,6 +34,7 @@ fn results_hold_those_of_every_number() {
             (a.cos(), x.cos()),
             (a.atan2(b), x.atan2(y)),
             (a.clamp(-0.2, 0.4), x.clamp(-0.2, 0.4)),
+            (a.excess(-0.2, 0.4), x - x.clamp(-0.2, 0.4)),
         ];
         for (case, (enclosure, value)) in held.into_iter().enumerate() {
             assert!(enclosure.contains(value), "{case}: {a:?} {b:?} {enclosure:?} {value}");
