@@ -33,7 +33,7 @@
 //!
 //! # Modules, in the order in which data flows
 //!
-//! [`math`] -> [`shape`] and [`pose`] -> [`model`], [`deform`] -> [`surface`], [`compare`]; [`cloud`] and
+//! [`math`] -> [`shape`] and [`pose`] -> [`model`], [`deform`] -> [`solid`] -> [`surface`], [`compare`]; [`cloud`] and
 //! [`view`] -> [`recover`] -> [`report`] and [`batch`] -> [`output`] and the command line. Nothing below the command line
 //! prints or exits.
 
@@ -54,5 +54,6 @@ mod python;
 pub mod recover;
 pub mod report;
 pub mod shape;
+pub mod solid;
 pub mod surface;
 pub mod view;

@@ -7,7 +7,8 @@ use std::path::Path;
 use super::error::CliError;
 use crate::cloud::{self, PointCloud};
 use crate::model::Model;
-use crate::report::model_from_json;
+use crate::report::{DocumentError, model_from_json, primitive_from_json};
+use crate::solid::Primitive;
 
 /// Most bytes that a model's document may have: a fit has less than a thousand.
 const MODEL_BYTES: u64 = 1 << 20;
@@ -33,8 +34,20 @@ pub(super) fn read_cloud(path: &Path) -> Result<PointCloud, CliError> {
 
 /// The model in a JSON file or on stdin.
 pub(super) fn read_model(path: &Path) -> Result<Model, CliError> {
+    read_document(path, model_from_json)
+}
+
+/// The model in a JSON file or on stdin, with its deformations.
+pub(super) fn read_primitive(path: &Path) -> Result<Primitive, CliError> {
+    read_document(path, primitive_from_json)
+}
+
+fn read_document<T>(
+    path: &Path,
+    parse: impl Fn(&str) -> Result<T, DocumentError>,
+) -> Result<T, CliError> {
     let text = read_text(path).map_err(|source| CliError::Input { name: name(path), source })?;
-    model_from_json(&text).map_err(|source| CliError::Document { name: name(path), source })
+    parse(&text).map_err(|source| CliError::Document { name: name(path), source })
 }
 
 fn read_text(path: &Path) -> io::Result<String> {

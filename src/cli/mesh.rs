@@ -3,11 +3,13 @@
 use super::DONE;
 use super::args::MeshArgs;
 use super::error::CliError;
-use super::input::read_model;
-use super::output::write_mesh;
+use super::input::read_primitive;
+use super::output::write_mesh_of;
+use crate::surface::tessellate_deformed;
 
 pub(super) fn run(args: &MeshArgs) -> Result<u8, CliError> {
-    let model = read_model(&args.model)?;
-    write_mesh(&args.output, &model, args.resolution)?;
+    let primitive = read_primitive(&args.model)?;
+    let mesh = tessellate_deformed(&primitive.deformed, args.resolution);
+    write_mesh_of(&args.output, &mesh.transformed(&primitive.pose))?;
     Ok(DONE)
 }

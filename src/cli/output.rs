@@ -9,7 +9,7 @@ use crate::cloud::{self, PointCloud};
 use crate::model::Model;
 use crate::output::write_whole;
 use crate::surface::format::MeshFormat;
-use crate::surface::{Resolution, tessellate};
+use crate::surface::{Mesh, Resolution, tessellate};
 
 /// Writes text to a file, or to stdout where `-` was typed.
 pub(super) fn write_text(path: &Path, text: &str) -> Result<(), CliError> {
@@ -40,7 +40,11 @@ pub(super) fn write_mesh(
     model: &Model,
     resolution: Resolution,
 ) -> Result<(), CliError> {
+    write_mesh_of(path, &tessellate(&model.shape, resolution).transformed(&model.pose))
+}
+
+/// Writes a mesh in the format of the file's extension.
+pub(super) fn write_mesh_of(path: &Path, mesh: &Mesh) -> Result<(), CliError> {
     let format = MeshFormat::from_extension(path)?;
-    let mesh = tessellate(&model.shape, resolution).transformed(&model.pose);
-    Ok(write_whole(path, |writer| format.write(&mesh, writer))?)
+    Ok(write_whole(path, |writer| format.write(mesh, writer))?)
 }

@@ -25,6 +25,18 @@ pub enum Kind {
     Bend(Bend),
 }
 
+impl Kind {
+    /// The deformation's name in tables.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Scale(_) => "scaled",
+            Self::Taper(_) => "tapered",
+            Self::Twist(_) => "twisted",
+            Self::Bend(_) => "bent",
+        }
+    }
+}
+
 macro_rules! kinds {
     ($($kind:ident),*) => {
         $(impl From<$kind> for Kind {

@@ -4,6 +4,8 @@ use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use super::deformation_document::DeformationDocument;
+use crate::deform::DeformError;
 use crate::error::ModelError;
 use crate::model::Model;
 use crate::pose::Pose;
@@ -35,15 +37,29 @@ pub enum DocumentError {
     /// Parameters outside their domain.
     #[error(transparent)]
     Parameters(#[from] ModelError),
+    /// Deformations outside their domain, or that fold the shape.
+    #[error(transparent)]
+    Deformation(#[from] DeformError),
+    /// A deformation with two frames.
+    #[error("a deformation has a frame or an axis, not both")]
+    TwoFrames,
+    /// A deformed model where a plain one is needed.
+    #[error("expected a model without deformations")]
+    Deformed,
+    /// A profile that no document can describe.
+    #[error("a profile that is neither line, polyline nor spline has no JSON form")]
+    Function,
     /// Euler angles and rotation matrix that contradict each other.
     #[error("pose.euler_zyz and pose.rotation differ by {0:e}")]
     Contradiction(f64),
 }
 
-/// A model: `{"shape": {..}, "pose": {..}}`.
+/// A model: `{"shape": {..}, "deformations": [..], "pose": {..}}`, the latter two if need be.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ModelDocument {
     shape: ShapeDocument,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) deformations: Vec<DeformationDocument>,
     #[serde(default)]
     pose: PoseDocument,
 }
@@ -57,7 +73,7 @@ struct ShapeDocument {
 
 /// Either form of the rotation will do; without both there is none.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-struct PoseDocument {
+pub(super) struct PoseDocument {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     euler_zyz: Option<[f64; 3]>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -68,23 +84,29 @@ struct PoseDocument {
 
 impl From<&Model> for ModelDocument {
     fn from(model: &Model) -> Self {
-        let rotation = model.pose.rotation().matrix();
         Self {
             shape: ShapeDocument {
                 family: FAMILY.to_owned(),
                 size: model.shape.size(),
                 exponents: model.shape.exponents(),
             },
-            pose: PoseDocument {
-                euler_zyz: Some(model.pose.euler_zyz()),
-                rotation: Some(rows(rotation)),
-                translation: (*model.pose.translation()).into(),
-            },
+            deformations: Vec::new(),
+            pose: (&model.pose).into(),
         }
     }
 }
 
-fn rows(matrix: &Matrix3<f64>) -> [[f64; 3]; 3] {
+impl From<&Pose> for PoseDocument {
+    fn from(pose: &Pose) -> Self {
+        Self {
+            euler_zyz: Some(pose.euler_zyz()),
+            rotation: Some(rows(pose.rotation().matrix())),
+            translation: (*pose.translation()).into(),
+        }
+    }
+}
+
+pub(super) fn rows(matrix: &Matrix3<f64>) -> [[f64; 3]; 3] {
     matrix.transpose().into()
 }
 
@@ -94,16 +116,26 @@ impl TryFrom<&ModelDocument> for Model {
     type Error = DocumentError;
 
     fn try_from(document: &ModelDocument) -> Result<Self, DocumentError> {
-        if document.shape.family != FAMILY {
-            return Err(DocumentError::Family(document.shape.family.clone()));
+        if document.deformations.is_empty() {
+            return document.undeformed();
         }
-        let shape = Superellipsoid::new(document.shape.size, document.shape.exponents)?;
-        Ok(Self { shape, pose: document.pose.to_pose()? })
+        Err(DocumentError::Deformed)
+    }
+}
+
+impl ModelDocument {
+    /// The model before its deformations.
+    pub(super) fn undeformed(&self) -> Result<Model, DocumentError> {
+        if self.shape.family != FAMILY {
+            return Err(DocumentError::Family(self.shape.family.clone()));
+        }
+        let shape = Superellipsoid::new(self.shape.size, self.shape.exponents)?;
+        Ok(Model { shape, pose: self.pose.to_pose()? })
     }
 }
 
 impl PoseDocument {
-    fn to_pose(&self) -> Result<Pose, DocumentError> {
+    pub fn to_pose(&self) -> Result<Pose, DocumentError> {
         let translation = Vector3::from(self.translation);
         let of_angles = self.euler_zyz.map(|angles| Pose::from_euler_zyz(angles, translation));
         let Some(rows) = self.rotation else {
@@ -126,15 +158,19 @@ impl PoseDocument {
 /// The model in a JSON text: a bare one, or that of a fit.
 ///
 /// # Errors
-/// If the text is not JSON, lacks a key, or has parameters outside their domain.
+/// If the text is not JSON, lacks a key, has parameters outside their domain, or deformations.
 pub fn model_from_json(text: &str) -> Result<Model, DocumentError> {
+    Model::try_from(&model_document(text)?)
+}
+
+/// The document of a model in a JSON text: a bare one, or that of a fit.
+pub(super) fn model_document(text: &str) -> Result<ModelDocument, DocumentError> {
     let value: serde_json::Value = serde_json::from_str(text)?;
     if let Some(schema) = value.get("schema").filter(|schema| *schema != FIT_SCHEMA) {
         return Err(DocumentError::Schema(schema.to_string()));
     }
     let model = value.get("model").unwrap_or(&value).clone();
-    let document: ModelDocument = serde_json::from_value(model).map_err(DocumentError::Model)?;
-    Model::try_from(&document)
+    serde_json::from_value(model).map_err(DocumentError::Model)
 }
 
 /// A fit: `{"schema": "superquadric.fit/1", "model": {..}, "fit": {..}}`.
@@ -281,7 +317,7 @@ impl InfoDocument {
     }
 }
 
-fn to_json(document: &impl Serialize) -> String {
+pub(super) fn to_json(document: &impl Serialize) -> String {
     // Keys are strings and numbers are numbers or null: that always has a JSON form.
     serde_json::to_string_pretty(document).expect("the document is representable in JSON") + "\n"
 }

@@ -2,8 +2,10 @@
 
 use std::fmt::Write;
 
+use super::primitive_document::MASS_TOLERANCE;
 use crate::model::Model;
 use crate::recover::Fit;
+use crate::solid::Primitive;
 
 /// Digits to which a person wants to read a parameter.
 const DIGITS: usize = 6;
@@ -83,6 +85,31 @@ pub fn model_table(model: &Model) -> String {
     line(&mut table, "area", &number(model.shape.surface_area(), DIGITS));
     let inertia = model.shape.mass_properties().inertia().diagonal();
     line(&mut table, "inertia", &format!("{}  (model axes)", vector(inertia.as_slice(), DIGITS)));
+    line(&mut table, "box min", &vector(min.as_slice(), DIGITS));
+    line(&mut table, "box max", &vector(max.as_slice(), DIGITS));
+    table
+}
+
+/// What is known of a deformed model, in a few lines.
+pub fn primitive_table(primitive: &Primitive) -> String {
+    let Primitive { deformed, pose } = primitive;
+    let mut table = parameters(&Model { shape: *deformed.shape(), pose: *pose });
+    for stage in deformed.chain().stages() {
+        line(&mut table, "then", stage.kind().name());
+    }
+    let estimate = deformed.mass_estimate(MASS_TOLERANCE);
+    let [min, max] = primitive.bounding_box();
+    let inertia = estimate.properties.inertia();
+    line(&mut table, "volume", &number(estimate.properties.volume(), DIGITS));
+    line(&mut table, "area", &number(estimate.surface_area, DIGITS));
+    for (name, i) in ["inertia", "", ""].iter().zip(0..) {
+        line(
+            &mut table,
+            name,
+            &vector(&[inertia[(i, 0)], inertia[(i, 1)], inertia[(i, 2)]], DIGITS),
+        );
+    }
+    line(&mut table, "mass error", &format!("{:.0e} at most", estimate.error));
     line(&mut table, "box min", &vector(min.as_slice(), DIGITS));
     line(&mut table, "box max", &vector(max.as_slice(), DIGITS));
     table

@@ -1,5 +1,6 @@
 //! Surfaces as triangles and as points.
 
+mod deformed;
 pub mod format;
 mod grading;
 mod lattice;
@@ -7,6 +8,7 @@ mod mesh;
 mod sample;
 mod tessellate;
 
+pub use deformed::{sample_deformed_surface, tessellate_deformed};
 pub use mesh::Mesh;
 pub use sample::{sample_solid, sample_surface};
 pub use tessellate::{Resolution, ResolutionError, tessellate};

@@ -1,0 +1,5 @@
+//! Solids in the world: posed, deformed primitives.
+
+mod primitive;
+
+pub use primitive::Primitive;
