@@ -21,6 +21,28 @@ pub enum ModelError {
         /// The value found.
         value: f64,
     },
+    /// A ring so small that the torus would pass through itself.
+    #[error("ring must be a number of at least 1, found {value}")]
+    Ring {
+        /// The value found.
+        value: f64,
+    },
+    /// A clip that leaves nothing of the solid, or is not finite.
+    #[error("clip must be a number above {least}, found {value}")]
+    Clip {
+        /// The value that it must exceed.
+        least: f64,
+        /// The value found.
+        value: f64,
+    },
+    /// A numerator or denominator that makes no exponent.
+    #[error("the exponent must be a fraction other than 0, found {numerator}/{denominator}")]
+    Fraction {
+        /// The numerator found.
+        numerator: i32,
+        /// The denominator found.
+        denominator: u32,
+    },
     /// A matrix that is not a proper rotation.
     #[error("the rotation must be orthonormal and right-handed (R'R departs from 1 by {defect:e})")]
     NotARotation {

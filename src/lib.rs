@@ -33,7 +33,8 @@
 //!
 //! # Modules, in the order in which data flows
 //!
-//! [`math`] -> [`shape`] and [`pose`] -> [`model`], [`deform`] -> [`solid`] -> [`surface`], [`compare`]; [`cloud`] and
+//! [`math`] -> [`shape`] and [`pose`] -> [`model`], [`deform`] -> [`solid`] -> [`surface`], [`raster`],
+//! [`compare`]; [`cloud`] and
 //! [`view`] -> [`recover`] -> [`report`] and [`batch`] -> [`output`] and the command line. Nothing below the command line
 //! prints or exits.
 
@@ -45,12 +46,14 @@ pub mod cloud;
 pub mod compare;
 pub mod deform;
 pub mod error;
+pub mod exchange;
 pub mod math;
 pub mod model;
 pub mod output;
 pub mod pose;
 #[cfg(feature = "python")]
 mod python;
+pub mod raster;
 pub mod recover;
 pub mod report;
 pub mod shape;

@@ -158,15 +158,72 @@ fn info_tells_volume_and_extents_of_a_bare_model() {
 #[test]
 fn mesh_writes_every_format_and_refuses_others() {
     let folder = TempDir::new().unwrap();
-    for (name, magic) in [("m.ply", &b"ply"[..]), ("m.obj", b"v "), ("m.stl", b"")] {
+    for (name, magic) in [
+        ("m.ply", &b"ply"[..]),
+        ("m.obj", b"# superquadric {"),
+        ("m.stl", b"SQE1"),
+        ("m.glb", b"glTF"),
+    ] {
         let path = in_folder(&folder, name);
         assert_done(&run_with_input(&["mesh", "-", "-o", &path], BARE.as_bytes()));
         assert!(fs::read(&path).unwrap().starts_with(magic));
     }
     let path = in_folder(&folder, "m.step");
     let output = run_with_input(&["mesh", "-", "-o", &path], BARE.as_bytes());
-    assert_refused(&output, &["m.step", "ply, obj or stl"]);
+    assert_refused(&output, &["m.step", "ply, obj, stl or glb"]);
     assert!(!Path::new(&path).exists());
+}
+
+#[test]
+fn models_go_to_other_programs_and_come_back() {
+    let folder = TempDir::new().unwrap();
+    let rounded = BARE.replace("[1, 1]", "[0.5, 0.25]");
+    for program in ["ovito", "liggghts", "lammps", "mercury", "ems", "supercompose"] {
+        let path = in_folder(&folder, program);
+        assert_done(&run_with_input(
+            &["export", "-", "--to", program, "-o", &path],
+            rounded.as_bytes(),
+        ));
+        let output = run(&["import", &path, "--from", program]);
+        assert_done(&output);
+        let model: Value = serde_json::from_slice(&output.stdout).unwrap();
+        let exponents = &model["shape"]["exponents"];
+        assert_eq!(*exponents, serde_json::json!([0.5, 0.25]), "{program}");
+    }
+    for (program, part) in [("vtk", "vtkSuperquadricSource"), ("pov", "<0.25, 0.5>")] {
+        let output = run_with_input(&["export", "-", "--to", program], rounded.as_bytes());
+        assert_done(&output);
+        assert!(text(&output.stdout).contains(part) && !text(&output.stdout).contains('@'));
+    }
+    let mesh = in_folder(&folder, "mesh.glb");
+    assert_done(&run_with_input(&["mesh", "-", "-o", &mesh], rounded.as_bytes()));
+    let output = run(&["import", &mesh, "--from", "mesh"]);
+    assert!(text(&output.stdout).contains("superellipsoid"));
+}
+
+#[test]
+fn what_cannot_be_exported_or_imported_is_told_with_its_file() {
+    let folder = TempDir::new().unwrap();
+    let bevelled = BARE.replace("[1, 1]", "[1, 1.5]");
+    let output = run_with_input(&["export", "-", "--to", "lammps"], bevelled.as_bytes());
+    assert_refused(&output, &["stdin", "LAMMPS", "up to 1", "exponents[1] = 1.5"]);
+
+    let two = in_folder(&folder, "two.txt");
+    fs::write(&two, "1 1 1 2 3 0 0 0 0 0 0\n1 0.5 1 2 3 0 0 0 0 0 0\n").unwrap();
+    for number in [&[][..], &["--number", "3"]] {
+        let output = run(&[&["import", &two, "--from", "ems"], number].concat());
+        assert_refused(&output, &["two.txt", "holds 2 superquadrics", "--number"]);
+    }
+    let output = run(&["import", &two, "--from", "ems", "--number", "2"]);
+    assert!(text(&output.stdout).contains("0.5"));
+    let output = run(&["import", &two, "--from", "supercompose"]);
+    assert_refused(&output, &["two.txt", "components"]);
+
+    let plain = in_folder(&folder, "plain.ply");
+    fs::write(&plain, "ply\nend_header\n").unwrap();
+    let output = run(&["import", &plain, "--from", "mesh"]);
+    assert_refused(&output, &["plain.ply", "comment superquadric"]);
+    assert_refused(&run(&["import", "absent.ply", "--from", "mesh"]), &["absent.ply"]);
 }
 
 #[test]

@@ -7,10 +7,11 @@ use thiserror::Error;
 
 use crate::batch::BatchError;
 use crate::cloud::ReadError;
+use crate::exchange::{ExportError, ImportError};
 use crate::output::OutputError;
 use crate::recover::FitError;
 use crate::report::DocumentError;
-use crate::surface::format::UnknownMeshFormat;
+use crate::surface::format::{InscriptionError, UnknownMeshFormat};
 use crate::view::{ImageError, RimError, UnknownContourFormat};
 
 /// Why a command has failed.
@@ -24,6 +25,14 @@ pub(super) enum CliError {
     Input { name: String, source: io::Error },
     #[error("{name}: {source}")]
     Document { name: String, source: DocumentError },
+    #[error("{name}: {source}")]
+    Export { name: String, source: ExportError },
+    #[error("{name}: {source}")]
+    Import { name: String, source: ImportError },
+    #[error("{name}: {source}")]
+    Inscription { name: String, source: InscriptionError },
+    #[error("{name}: holds {count} superquadrics; choose one with --number, 1 to {count}")]
+    Number { name: String, count: usize },
     #[error(transparent)]
     Image(#[from] ImageError),
     #[error("--support auto needs --camera or --viewpoint: which side is up?")]

@@ -9,6 +9,7 @@ use crate::cloud::{self, PointCloud};
 use crate::model::Model;
 use crate::report::{DocumentError, model_from_json, primitive_from_json};
 use crate::solid::Primitive;
+use crate::surface::format::MeshFormat;
 
 /// Most bytes that a model's document may have: a fit has less than a thousand.
 const MODEL_BYTES: u64 = 1 << 20;
@@ -46,20 +47,35 @@ fn read_document<T>(
     path: &Path,
     parse: impl Fn(&str) -> Result<T, DocumentError>,
 ) -> Result<T, CliError> {
-    let text = read_text(path).map_err(|source| CliError::Input { name: name(path), source })?;
+    let text = read_text(path, MODEL_BYTES)?;
     parse(&text).map_err(|source| CliError::Document { name: name(path), source })
 }
 
-fn read_text(path: &Path) -> io::Result<String> {
-    let mut text = String::new();
-    let reader: &mut dyn Read =
-        if is_stream(path) { &mut io::stdin().lock() } else { &mut File::open(path)? };
-    let bytes = reader.take(MODEL_BYTES + 1).read_to_string(&mut text)?;
-    if bytes as u64 > MODEL_BYTES {
-        return Err(io::Error::new(
-            io::ErrorKind::InvalidData,
-            "longer than 1 MiB: not the JSON of a model",
-        ));
-    }
-    Ok(text)
+/// The model that a mesh file keeps, in the format of its extension.
+pub(super) fn read_mesh_model(path: &Path) -> Result<Model, CliError> {
+    let format = MeshFormat::from_extension(path)?;
+    let mut file = File::open(path).map_err(|source| unreadable(path, source))?;
+    format
+        .read_model(&mut file)
+        .map_err(|source| CliError::Inscription { name: name(path), source })
+}
+
+/// The text in a file or on stdin, of no more than so many bytes.
+pub(super) fn read_text(path: &Path, most_bytes: u64) -> Result<String, CliError> {
+    let read = || {
+        let mut text = String::new();
+        let reader: &mut dyn Read =
+            if is_stream(path) { &mut io::stdin().lock() } else { &mut File::open(path)? };
+        let bytes = reader.take(most_bytes + 1).read_to_string(&mut text)?;
+        if bytes as u64 > most_bytes {
+            let message = format!("longer than {} MiB", most_bytes >> 20);
+            return Err(io::Error::new(io::ErrorKind::InvalidData, message));
+        }
+        Ok(text)
+    };
+    read().map_err(|source| unreadable(path, source))
+}
+
+fn unreadable(path: &Path, source: io::Error) -> CliError {
+    CliError::Input { name: name(path), source }
 }

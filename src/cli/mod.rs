@@ -6,8 +6,10 @@ mod batch;
 mod completions;
 mod contour;
 mod error;
+mod export;
 mod fit;
 mod fit_many;
+mod import;
 mod info;
 mod input;
 mod mesh;
@@ -51,6 +53,8 @@ fn run(command: Command) -> Result<u8, CliError> {
         Command::Info(args) => info::run(&args),
         Command::Contour(args) => contour::run(&args),
         Command::Overlay(args) => overlay::run(&args),
+        Command::Export(args) => export::run(&args),
+        Command::Import(args) => import::run(&args),
         Command::Batch(args) => batch::run(&args),
         Command::Completions(args) => completions::run(&args),
     }

@@ -34,17 +34,23 @@ pub(super) fn write_inliers(
     Ok(write_whole(path, |writer| cloud::write_inliers(cloud, is_inlier, writer))?)
 }
 
-/// Writes the mesh of a model, in the world, in the format of the file's extension.
+/// Writes the mesh of a model, in the world, in the format of the file's extension, and the model
+/// with it.
 pub(super) fn write_mesh(
     path: &Path,
     model: &Model,
     resolution: Resolution,
 ) -> Result<(), CliError> {
-    write_mesh_of(path, &tessellate(&model.shape, resolution).transformed(&model.pose))
+    let mesh = tessellate(&model.shape, resolution).transformed(&model.pose);
+    write_mesh_of(path, &mesh, Some(model))
 }
 
-/// Writes a mesh in the format of the file's extension.
-pub(super) fn write_mesh_of(path: &Path, mesh: &Mesh) -> Result<(), CliError> {
+/// Writes a mesh, and the plain model that it is of, in the format of the file's extension.
+pub(super) fn write_mesh_of(
+    path: &Path,
+    mesh: &Mesh,
+    model: Option<&Model>,
+) -> Result<(), CliError> {
     let format = MeshFormat::from_extension(path)?;
-    Ok(write_whole(path, |writer| format.write(mesh, writer))?)
+    Ok(write_whole(path, |writer| format.write(mesh, model, writer))?)
 }

@@ -97,6 +97,22 @@ impl Scalar for Dual {
         Self { value: self.value.excess(lo, hi), slope }
     }
 
+    fn max(self, other: Self) -> Self {
+        let slope = if self.value.lo() > other.value.hi() {
+            self.slope
+        } else if other.value.lo() > self.value.hi() {
+            other.slope
+        } else {
+            self.slope.hull(other.slope)
+        };
+        Self { value: self.value.max(other.value), slope }
+    }
+
+    fn power(self, exponent: f64) -> Self {
+        let slope = self.value.power(exponent - 1.0) * exponent;
+        Self { value: self.value.power(exponent), slope: self.slope * slope }
+    }
+
     fn sin_cos(self) -> (Self, Self) {
         let (sin, cos) = (self.value.sin(), self.value.cos());
         (
@@ -140,6 +156,9 @@ mod tests {
             (t * t + 1.0).recip(),
             t.clamp(-0.3, 0.4) * t,
             t.excess(-0.3, 0.4) * t,
+            t.max(cos),
+            t.abs().power(2.7),
+            (t + 2.0).power(0.4),
             (t + 0.2).atan2(cos + 0.5),
             S::superellipse_norm(t.abs(), (cos * 0.7).abs(), 0.3),
             S::superellipse_norm((t * t).abs(), S::constant(0.2), 1.7),

@@ -2,17 +2,25 @@
 
 mod beta;
 mod dual;
+pub(crate) mod elementary;
 mod gamma_variate;
 mod interval;
+mod maximum;
+mod quadrature;
+mod root;
 mod scalar;
 mod signed_power;
 mod superellipse_norm;
 mod univariate;
+pub(crate) mod vectorized;
 
 pub use beta::beta;
 pub use dual::Dual;
 pub(crate) use gamma_variate::GammaVariate;
 pub use interval::Interval;
+pub(crate) use maximum::maximum;
+pub(crate) use quadrature::integral_in_pieces;
+pub(crate) use root::increasing_root;
 pub use scalar::Scalar;
 pub use signed_power::signed_power;
 pub(crate) use superellipse_norm::superellipse_norm;

@@ -32,6 +32,12 @@ pub trait Scalar:
     /// By how much it lies beyond `[lo, hi]`: negative below, 0 within.
     fn excess(self, lo: f64, hi: f64) -> Self;
 
+    /// The greater of two numbers.
+    fn max(self, other: Self) -> Self;
+
+    /// The power of a magnitude, of an exponent above 0.
+    fn power(self, exponent: f64) -> Self;
+
     /// Sine and cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);
 
@@ -64,6 +70,14 @@ impl Scalar for f64 {
 
     fn excess(self, lo: f64, hi: f64) -> Self {
         self - self.clamp(lo, hi)
+    }
+
+    fn max(self, other: Self) -> Self {
+        self.max(other)
+    }
+
+    fn power(self, exponent: f64) -> Self {
+        self.powf(exponent)
     }
 
     fn sin_cos(self) -> (Self, Self) {
@@ -102,6 +116,14 @@ impl Scalar for Interval {
 
     fn excess(self, lo: f64, hi: f64) -> Self {
         self.excess(lo, hi)
+    }
+
+    fn max(self, other: Self) -> Self {
+        self.max(other)
+    }
+
+    fn power(self, exponent: f64) -> Self {
+        self.power(exponent)
     }
 
     fn sin_cos(self) -> (Self, Self) {

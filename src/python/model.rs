@@ -11,7 +11,7 @@ use super::errors::os_error;
 use super::pose::pose_of;
 use crate::model::Model;
 use crate::output::write_whole;
-use crate::report::{DocumentError, ModelDocument, model_from_json};
+use crate::report::{ModelDocument, model_from_json};
 use crate::shape::Superellipsoid;
 use crate::surface::{Resolution, sample_solid, sample_surface, tessellate};
 
@@ -271,9 +271,8 @@ impl PyModel {
     }
 
     /// The model as JSON text, `{"shape": .., "pose": ..}`.
-    fn to_json(&self) -> PyResult<String> {
-        let json = serde_json::to_string_pretty(&ModelDocument::from(&self.0));
-        Ok(json.map_err(DocumentError::from)? + "\n")
+    fn to_json(&self) -> String {
+        ModelDocument::from(&self.0).to_json()
     }
 
     /// The model in a JSON text: a bare one, or that of a fit.
@@ -284,7 +283,7 @@ impl PyModel {
 
     /// The model as a dictionary, `{"shape": .., "pose": ..}`.
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        py.import("json")?.call_method1("loads", (self.to_json()?,))
+        py.import("json")?.call_method1("loads", (self.to_json(),))
     }
 
     /// The model in a dictionary: a bare one, or that of a fit.
@@ -296,7 +295,7 @@ impl PyModel {
 
     /// Write the model as JSON, whole or not at all.
     fn save(&self, path: PathBuf) -> PyResult<()> {
-        let json = self.to_json()?;
+        let json = self.to_json();
         Ok(write_whole(path, |writer| writer.write_all(json.as_bytes()))?)
     }
 

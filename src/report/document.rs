@@ -96,6 +96,13 @@ impl From<&Model> for ModelDocument {
     }
 }
 
+impl ModelDocument {
+    /// Indented JSON with a final newline.
+    pub fn to_json(&self) -> String {
+        to_json(self)
+    }
+}
+
 impl From<&Pose> for PoseDocument {
     fn from(pose: &Pose) -> Self {
         Self {

@@ -23,6 +23,19 @@ pub(crate) struct ArcNode {
     pub weight: f64,
 }
 
+/// The parameter v at which a quarter of the unit superellipse ends, at its y axis but for
+/// rounding; at `-v` it begins. Domain: `e > 0`.
+pub(crate) fn greatest_arc_parameter(e: f64) -> f64 {
+    let spread = 0.5 * e;
+    (LAST_LOG_SLOPE * spread.max(1.0) / spread).asinh()
+}
+
+/// The point `(cos^e, sin^e)` of slope `exp(e/2 sinh v)`. Domain: `e > 0`.
+pub(crate) fn quarter_point(e: f64, v: f64) -> [f64; 2] {
+    let power = v.sinh();
+    [power, -power].map(|power| (-0.5 * e * log_sum(power)).exp())
+}
+
 /// The nodes of a quarter of the unit superellipse. Domain: `e > 0`.
 pub(crate) fn arc_nodes(e: f64) -> impl Iterator<Item = ArcNode> + Clone {
     arc_rule(e, HALF_NODES)
@@ -32,8 +45,7 @@ pub(crate) fn arc_nodes(e: f64) -> impl Iterator<Item = ArcNode> + Clone {
 /// twice the weight, is the rule of half as many. Domain: `e > 0`.
 pub(crate) fn arc_rule(e: f64, half_nodes: i32) -> impl Iterator<Item = ArcNode> + Clone {
     let spread = 0.5 * e;
-    let last = (LAST_LOG_SLOPE * spread.max(1.0) / spread).asinh();
-    let step = last / f64::from(half_nodes);
+    let step = greatest_arc_parameter(e) / f64::from(half_nodes);
     (-half_nodes..=half_nodes).map(move |i| {
         let v = step * f64::from(i);
         let power = v.sinh(); // ln of (y/x)^(2/e)

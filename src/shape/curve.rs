@@ -53,6 +53,17 @@ impl Jet {
         ]
     }
 
+    /// `sec` and `tan`.
+    pub fn sec_tan(t: f64) -> [Self; 2] {
+        let (sin, cos) = t.sin_cos();
+        let (sec, tan) = (cos.recip(), sin / cos);
+        let slope = sec * sec;
+        [
+            Self { value: sec, first: sec * tan, second: sec * (slope + tan * tan) },
+            Self { value: tan, first: slope, second: 2.0 * tan * slope },
+        ]
+    }
+
     /// `factor` times the signed power of the function.
     pub fn power(self, e: f64, factor: f64) -> Self {
         let Self { value: g, first, second } = self;

@@ -3,16 +3,27 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::mass::MassProperties;
+use super::one_sheet::SuperhyperboloidOneSheet;
 use super::parametric::Parametric;
 use super::solid::Solid;
 use super::superellipsoid::Superellipsoid;
+use super::supertoroid::Supertoroid;
+use super::three_exponent::ThreeExponent;
+use super::two_sheets::SuperhyperboloidTwoSheets;
 
 /// A shape of any family, in its own frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub enum Shape {
     /// Between box, cylinder, ellipsoid and octahedron.
     Superellipsoid(Superellipsoid),
+    /// A tower with a waist.
+    SuperhyperboloidOneSheet(SuperhyperboloidOneSheet),
+    /// Two bowls that face away from each other.
+    SuperhyperboloidTwoSheets(SuperhyperboloidTwoSheets),
+    /// A tube around a ring.
+    Supertoroid(Supertoroid),
+    /// An exponent an axis.
+    ThreeExponent(ThreeExponent),
 }
 
 /// An expression of whatever family a shape is of.
@@ -20,6 +31,10 @@ macro_rules! of_any_family {
     ($shape:expr, $family:ident => $value:expr) => {
         match $shape {
             Shape::Superellipsoid($family) => $value,
+            Shape::SuperhyperboloidOneSheet($family) => $value,
+            Shape::SuperhyperboloidTwoSheets($family) => $value,
+            Shape::Supertoroid($family) => $value,
+            Shape::ThreeExponent($family) => $value,
         }
     };
 }
@@ -29,15 +44,32 @@ impl Shape {
     pub fn family(&self) -> &'static str {
         match self {
             Self::Superellipsoid(_) => "superellipsoid",
+            Self::SuperhyperboloidOneSheet(_) => "superhyperboloid_one_sheet",
+            Self::SuperhyperboloidTwoSheets(_) => "superhyperboloid_two_sheets",
+            Self::Supertoroid(_) => "supertoroid",
+            Self::ThreeExponent(_) => "three_exponent",
         }
     }
 }
 
-impl From<Superellipsoid> for Shape {
-    fn from(shape: Superellipsoid) -> Self {
-        Self::Superellipsoid(shape)
-    }
+/// A shape of the enum from a shape of a family.
+macro_rules! shape_from {
+    ($($family:ident),*) => {
+        $(impl From<$family> for Shape {
+            fn from(shape: $family) -> Self {
+                Self::$family(shape)
+            }
+        })*
+    };
 }
+
+shape_from!(
+    Superellipsoid,
+    SuperhyperboloidOneSheet,
+    SuperhyperboloidTwoSheets,
+    Supertoroid,
+    ThreeExponent
+);
 
 impl Solid for Shape {
     fn inside_outside(&self, x: &Vector3<f64>) -> f64 {

@@ -120,7 +120,7 @@ pub(crate) fn hyperbola_norm(u: f64, v: f64, e: f64) -> f64 {
 fn norm_derivatives(u: f64, v: f64, rho: f64, k: f64, sigma: f64) -> (Vector2<f64>, Matrix2<f64>) {
     let [ru, rv] = [u.abs() / rho, v.abs() / rho];
     let [du, dv] = [ru.powf(k), sigma * rv.powf(k)];
-    let bend = |ratio: f64, other: f64| times(k * ratio.powf(k - 1.0), other) / rho;
+    let bend = |ratio: f64, other: f64| times(times(k, ratio.powf(k - 1.0)), other) / rho;
     let mixed = -k * times(times(sign(u), du), times(sign(v), dv)) / rho;
     let slopes = Vector2::new(times(sign(u), du), times(sign(v), dv));
     (slopes, Matrix2::new(bend(ru, times(rv, dv)), mixed, mixed, sigma * bend(rv, times(ru, du))))

@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::curvature::Curvatures;
 use super::mass::MassProperties;
 
 /// A solid in its own frame, bounded by the level 1 of an inside-outside function F.
@@ -20,6 +21,13 @@ pub trait Solid {
 
     /// Second derivatives of F. One of them is infinite on a plane across which F has a bend.
     fn inside_outside_hessian(&self, x: &Vector3<f64>) -> Matrix3<f64>;
+
+    /// Curvatures of the level surface of F through a point, the boundary among them; they need no
+    /// latitude, and exist on the planes of symmetry too.
+    fn curvatures(&self, x: &Vector3<f64>) -> Curvatures {
+        let gradient = self.inside_outside_gradient(x);
+        Curvatures::of_level_surface(&gradient, &self.inside_outside_hessian(x))
+    }
 
     /// Whether a point is inside, the clip included.
     fn contains(&self, x: &Vector3<f64>) -> bool {

@@ -1,6 +1,7 @@
 //! The superellipsoid in its own frame (B81; JLS section 2.2).
 
 mod mass;
+mod nearest;
 mod solid;
 
 use nalgebra::Vector3;
@@ -8,6 +9,7 @@ use nalgebra::Vector3;
 pub(crate) use mass::area_element;
 
 use super::gauge::GaugeTerms;
+use super::parametric::direction;
 use crate::error::ModelError;
 use crate::math::{signed_power, superellipse_norm};
 
@@ -72,18 +74,18 @@ impl Superellipsoid {
     }
 
     /// Outward unit normal at latitude `eta` and longitude `omega`, from the dual superquadric
-    /// (B81; JLS Eq. 2.39). Domain: exponents below 2, where it is unique.
+    /// (B81; JLS Eq. 2.39). Unique for exponents below 2; at an edge or a cusp of others one of
+    /// those that meet there, or a mean.
     pub fn normal(&self, eta: f64, omega: f64) -> Vector3<f64> {
         let [a1, a2, a3] = self.size;
         let [e1, e2] = self.exponents;
         let least = a1.min(a2).min(a3);
         let parallel = signed_power(eta.cos(), 2.0 - e1);
-        Vector3::new(
+        direction([
             least / a1 * parallel * signed_power(omega.cos(), 2.0 - e2),
             least / a2 * parallel * signed_power(omega.sin(), 2.0 - e2),
             least / a3 * signed_power(eta.sin(), 2.0 - e1),
-        )
-        .normalize()
+        ])
     }
 
     /// The gauge `H(x) = F(x)^(e1/2)`: homogeneous of degree one, 1 on the surface, 0 at the

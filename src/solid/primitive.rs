@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use crate::deform::{Deformed, MassEstimate};
 use crate::math::Scalar;
+use crate::model::Model;
 use crate::pose::Pose;
 use crate::shape::{LevelSet, Solid, Superellipsoid};
 
@@ -50,6 +51,12 @@ impl<S: Solid + LevelSet> Primitive<S> {
 }
 
 impl Primitive {
+    /// The plain model, if nothing deforms it.
+    pub fn undeformed(&self) -> Option<Model> {
+        let is_plain = self.deformed.chain().stages().is_empty();
+        is_plain.then(|| Model { shape: *self.deformed.shape(), pose: self.pose })
+    }
+
     /// The masses in the world's frame, to a tolerance as in [`Deformed::mass_estimate`].
     pub fn mass_estimate(&self, tolerance: f64) -> MassEstimate {
         let estimate = self.deformed.mass_estimate(tolerance);

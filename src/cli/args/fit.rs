@@ -27,7 +27,7 @@ pub(in crate::cli) struct FitArgs {
     /// or a folder: a folder, for NAME.json each.
     #[arg(short, long, value_name = "FIT.json")]
     pub output: Option<PathBuf>,
-    /// Write a mesh of the recovered surface: .ply, .obj or .stl.
+    /// Write a mesh of the recovered surface: .ply, .obj, .stl or .glb.
     #[arg(long, value_name = "MESH")]
     pub mesh: Option<PathBuf>,
     /// Segments along each edge of the mesh's lattice (even).

@@ -1,5 +1,6 @@
 //! What can be typed.
 
+mod exchange;
 mod fit;
 mod parse;
 mod sensor;
@@ -9,6 +10,7 @@ mod view;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
+pub(super) use exchange::{ExportArgs, ImportArgs};
 pub(super) use fit::FitArgs;
 pub(super) use sensor::{SensorArgs, SupportArg};
 pub(super) use view::{ContourArgs, OverlayArgs, ViewArgs};
@@ -37,6 +39,8 @@ Examples:
   superquadric info fit.json
   superquadric contour fit.json --camera camera.json -o outline.svg
   superquadric overlay fit.json --camera camera.json --image photo.png -o overlay.png
+  superquadric export fit.json --to lammps -o particle.data
+  superquadric import particle.data --from lammps -o model.json
 
 Exit codes:
   0  done
@@ -56,6 +60,8 @@ pub(super) enum Command {
     Info(InfoArgs),
     Contour(ContourArgs),
     Overlay(OverlayArgs),
+    Export(ExportArgs),
+    Import(ImportArgs),
     Batch(BatchArgs),
     Completions(CompletionsArgs),
 }
@@ -83,12 +89,12 @@ impl SearchArgs {
     }
 }
 
-/// Write a mesh of a model's surface.
+/// Write a mesh of a model's surface, with the model's parameters in the file.
 #[derive(Debug, clap::Args)]
 pub(super) struct MeshArgs {
     /// A fit or a bare model in JSON; - is stdin.
     pub model: PathBuf,
-    /// File to write: .ply, .obj or .stl.
+    /// File to write: .ply, .obj, .stl or .glb.
     #[arg(short, long, value_name = "MESH")]
     pub output: PathBuf,
     /// Segments along each edge of the mesh's lattice (even).

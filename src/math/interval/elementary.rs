@@ -70,6 +70,17 @@ impl Interval {
         Self { lo, hi: if greatest == 0.0 { 0.0 } else { rounded.hi } }
     }
 
+    /// The greater of numbers of both.
+    pub fn max(self, other: Self) -> Self {
+        Self { lo: self.lo.max(other.lo), hi: self.hi.max(other.hi) }
+    }
+
+    /// The powers of magnitudes: they ascend for exponents above 0, and descend below.
+    pub fn power(self, exponent: f64) -> Self {
+        let power = |x: f64| x.max(0.0).powf(exponent);
+        Self::new(power(self.lo), power(self.hi)).widened_relatively(LIBRARY_ERROR)
+    }
+
     /// The sines.
     pub fn sin(self) -> Self {
         self.wave(f64::sin, FRAC_PI_2)

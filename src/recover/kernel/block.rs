@@ -3,10 +3,10 @@
 //!
 //! [`radial_row`]: crate::recover::radial::radial_row
 
-use super::elementary::{exp, ln, mul_add};
 use super::gram::{BLOCK, Rows};
 use super::point::{Point, greater};
 use super::view::ModelView;
+use crate::math::elementary::{exp, ln, mul_add};
 use crate::shape::{LOG_FLOOR, TINY};
 
 type Column = [f64; BLOCK];

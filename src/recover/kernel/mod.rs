@@ -6,7 +6,6 @@
 
 mod block;
 mod dispatch;
-mod elementary;
 mod gram;
 mod point;
 mod view;

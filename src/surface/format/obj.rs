@@ -1,12 +1,21 @@
 //! Wavefront OBJ.
 
-use std::io::{self, Write};
+use std::io::{self, Read, Write};
 
 use super::Mesh;
+use super::inscription::{self, InscriptionError};
+use crate::model::Model;
 
 /// Writes `v` lines in the shortest digits that read back as the same doubles, and `f` lines,
-/// whose indices count from one.
-pub(super) fn write(mesh: &Mesh, writer: &mut (impl Write + ?Sized)) -> io::Result<()> {
+/// whose indices count from one; the model is a comment.
+pub(super) fn write(
+    mesh: &Mesh,
+    model: Option<&Model>,
+    writer: &mut (impl Write + ?Sized),
+) -> io::Result<()> {
+    if let Some(model) = model {
+        writeln!(writer, "# {}", inscription::line(model)?)?;
+    }
     for vertex in mesh.vertices() {
         writeln!(writer, "v {:?} {:?} {:?}", vertex.x, vertex.y, vertex.z)?;
     }
@@ -15,6 +24,11 @@ pub(super) fn write(mesh: &Mesh, writer: &mut (impl Write + ?Sized)) -> io::Resu
         writeln!(writer, "f {a} {b} {c}")?;
     }
     Ok(())
+}
+
+/// The model in the comments at the beginning.
+pub(super) fn read_model(reader: &mut (impl Read + ?Sized)) -> Result<Model, InscriptionError> {
+    inscription::read(reader, "#", "a line `# superquadric {..}` at the beginning")
 }
 
 #[cfg(test)]

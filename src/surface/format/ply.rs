@@ -1,16 +1,25 @@
 //! Binary little-endian PLY (Turk 1994).
 
-use std::io::{self, Write};
+use std::io::{self, Read, Write};
 
 use super::Mesh;
+use super::inscription::{self, InscriptionError};
+use crate::model::Model;
 
-/// Writes vertices as doubles and triangles as lists of three `int` indices.
-pub(super) fn write(mesh: &Mesh, writer: &mut (impl Write + ?Sized)) -> io::Result<()> {
+/// Writes vertices as doubles and triangles as lists of three `int` indices; the model is a
+/// comment.
+pub(super) fn write(
+    mesh: &Mesh,
+    model: Option<&Model>,
+    writer: &mut (impl Write + ?Sized),
+) -> io::Result<()> {
+    writer.write_all(b"ply\nformat binary_little_endian 1.0\n")?;
+    if let Some(model) = model {
+        writeln!(writer, "comment {}", inscription::line(model)?)?;
+    }
     write!(
         writer,
-        "ply\n\
-         format binary_little_endian 1.0\n\
-         element vertex {}\n\
+        "element vertex {}\n\
          property double x\n\
          property double y\n\
          property double z\n\
@@ -31,6 +40,11 @@ pub(super) fn write(mesh: &Mesh, writer: &mut (impl Write + ?Sized)) -> io::Resu
         }
     }
     Ok(())
+}
+
+/// The model in the comments of a header.
+pub(super) fn read_model(reader: &mut (impl Read + ?Sized)) -> Result<Model, InscriptionError> {
+    inscription::read(reader, "comment", "a line `comment superquadric {..}` in the header")
 }
 
 #[cfg(test)]

@@ -4,18 +4,17 @@ use std::io::{self, Write};
 
 use nalgebra::Vector3;
 
-use super::Mesh;
-
-const HEADER: &[u8] = b"binary STL";
-
-const HEADER_BYTES: usize = 80;
+use super::{Mesh, float, stl_header};
+use crate::model::Model;
 
 /// Writes every triangle as its outward normal and three corners, in floats; normals are
 /// computed in doubles, before anything is rounded.
-pub(super) fn write(mesh: &Mesh, writer: &mut (impl Write + ?Sized)) -> io::Result<()> {
-    let mut header = [0_u8; HEADER_BYTES];
-    header[..HEADER.len()].copy_from_slice(HEADER);
-    writer.write_all(&header)?;
+pub(super) fn write(
+    mesh: &Mesh,
+    model: Option<&Model>,
+    writer: &mut (impl Write + ?Sized),
+) -> io::Result<()> {
+    writer.write_all(&stl_header::header(model))?;
     let count = u32::try_from(mesh.triangles().len()).map_err(io::Error::other)?;
     writer.write_all(&count.to_le_bytes())?;
     for [a, b, c] in mesh.corners() {
@@ -35,12 +34,7 @@ fn unit_normal([a, b, c]: [Vector3<f64>; 3]) -> Vector3<f64> {
 
 fn write_floats(vector: &Vector3<f64>, writer: &mut (impl Write + ?Sized)) -> io::Result<()> {
     for &coordinate in vector {
-        let rounded = coordinate as f32;
-        if !rounded.is_finite() {
-            let message = format!("STL cannot hold the coordinate {coordinate:e}");
-            return Err(io::Error::new(io::ErrorKind::InvalidData, message));
-        }
-        writer.write_all(&rounded.to_le_bytes())?;
+        writer.write_all(&float(coordinate, "STL")?.to_le_bytes())?;
     }
     Ok(())
 }
@@ -77,7 +71,7 @@ mod tests {
     fn a_coordinate_beyond_floats_is_refused() {
         let vertices = vec![Vector3::zeros(), Vector3::x() * 1e39, Vector3::y()];
         let mesh = Mesh::new(vertices, vec![[0, 1, 2]]);
-        let error = write(&mesh, &mut Vec::new()).unwrap_err();
+        let error = write(&mesh, None, &mut Vec::new()).unwrap_err();
         assert!(error.to_string().contains("1e39"));
     }
 }

@@ -5,7 +5,7 @@
 
 /// `a b + c`, fused where the target can.
 #[inline(always)]
-pub(super) fn mul_add<const FMA: bool>(a: f64, b: f64, c: f64) -> f64 {
+pub(crate) fn mul_add<const FMA: bool>(a: f64, b: f64, c: f64) -> f64 {
     if FMA { a.mul_add(b, c) } else { a * b + c }
 }
 
@@ -28,7 +28,7 @@ const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
 ///
 /// `x = n ln 2 + r`; the Taylor series of `exp(r)` up to r^13 leaves 5e-18 for `|r| <= ln 2 / 2`.
 #[inline(always)]
-pub(super) fn exp<const FMA: bool>(x: f64) -> f64 {
+pub(crate) fn exp<const FMA: bool>(x: f64) -> f64 {
     const TAYLOR: [f64; 14] = [
         1.0,
         1.0,
@@ -57,7 +57,7 @@ pub(super) fn exp<const FMA: bool>(x: f64) -> f64 {
 /// `x = 2^k m` with m in [sqrt(1/2), sqrt(2)); `ln m = 2 artanh s` with `s = (m - 1)/(m + 1)`,
 /// whose series up to s^21 leaves 2e-18 for `|s| <= 0.1716`.
 #[inline(always)]
-pub(super) fn ln<const FMA: bool>(x: f64) -> f64 {
+pub(crate) fn ln<const FMA: bool>(x: f64) -> f64 {
     const ARTANH: [f64; 10] = [
         2.0 / 3.0,
         2.0 / 5.0,
@@ -89,6 +89,50 @@ pub(super) fn ln<const FMA: bool>(x: f64) -> f64 {
     mul_add::<FMA>(k, LN_2_HIGH, mul_add::<FMA>(k, LN_2_LOW, ln_m))
 }
 
+/// `x^p` for normal `x` in (0, 1] and `p >= 0`; where it would underflow it is 1e-300.
+#[inline(always)]
+pub(crate) fn power<const FMA: bool>(x: f64, p: f64) -> f64 {
+    const LOG_FLOOR: f64 = -690.0;
+    let log_power = p * ln::<FMA>(x);
+    exp::<FMA>(if log_power > LOG_FLOOR { log_power } else { LOG_FLOOR })
+}
+
+/// `[sin(x), cos(x)]` for `0 <= x <= pi/2`, to 2e-16.
+///
+/// The Taylor series up to x^17 leave 2e-18 at pi/4, where sine and cosine change places.
+#[inline(always)]
+pub(crate) fn sin_cos<const FMA: bool>(x: f64) -> [f64; 2] {
+    use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+    /// `(-1)^k / (2k + 1)!` from k = 1 on.
+    const SINE: [f64; 8] = [
+        -1.0 / 6.0,
+        1.0 / 120.0,
+        -1.0 / 5_040.0,
+        1.0 / 362_880.0,
+        -1.0 / 39_916_800.0,
+        1.0 / 6_227_020_800.0,
+        -1.0 / 1_307_674_368_000.0,
+        1.0 / 355_687_428_096_000.0,
+    ];
+    /// `(-1)^k / (2k)!` from k = 1 on.
+    const COSINE: [f64; 8] = [
+        -1.0 / 2.0,
+        1.0 / 24.0,
+        -1.0 / 720.0,
+        1.0 / 40_320.0,
+        -1.0 / 3_628_800.0,
+        1.0 / 479_001_600.0,
+        -1.0 / 87_178_291_200.0,
+        1.0 / 20_922_789_888_000.0,
+    ];
+    let is_steep = x > FRAC_PI_4;
+    let angle = if is_steep { FRAC_PI_2 - x } else { x };
+    let square = angle * angle;
+    let sine = angle + angle * square * polynomial::<FMA, 8>(square, &SINE);
+    let cosine = 1.0 + square * polynomial::<FMA, 8>(square, &COSINE);
+    if is_steep { [cosine, sine] } else { [sine, cosine] }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -109,6 +153,19 @@ mod tests {
         for x in grid(0.5, 2.0) {
             assert!((ln::<FMA>(x) - x.ln()).abs() <= 2e-16, "ln({x})");
         }
+        for x in grid(0.0, std::f64::consts::FRAC_PI_2) {
+            let [sine, cosine] = sin_cos::<FMA>(x);
+            assert!((sine - x.sin()).abs() <= 3e-16 && (cosine - x.cos()).abs() <= 3e-16, "{x}");
+        }
+        for x in grid(1e-4, 1.0) {
+            for p in [0.025, 1.0, 4.0, 40.0] {
+                let expected = x.powf(p).max(1e-299);
+                // The exponent of the power, up to 690, is rounded.
+                let found = power::<FMA>(x, p).max(1e-299);
+                assert!((found - expected).abs() <= 3e-13 * expected, "{x} ^ {p}");
+            }
+        }
+        assert_eq!(power::<FMA>(1e-300, 40.0), exp::<FMA>(-690.0));
         assert_eq!(ln::<FMA>(1.0), 0.0);
         assert_eq!(exp::<FMA>(0.0), 1.0);
     }

@@ -1,0 +1,93 @@
+//! Parameterisations of a superellipse and of a superellipsoid (JLS section 2.5), a file each:
+//! where along them points are taken.
+//!
+//! Points at random, uniform by area, are [`sample_surface`](crate::surface::sample_surface)'s.
+
+mod angle_centre;
+mod equal_distance;
+mod explicit;
+mod trigonometric;
+
+use nalgebra::{Vector2, Vector3};
+
+use crate::shape::{Superellipse, Superellipsoid};
+
+/// How points are spread along a curve, from an axis to the next in `n` steps.
+///
+/// Of the unit superellipse, whatever its exponent up to 2, the longest of many steps is at most
+/// so many times the shortest: 1 for equal distances, 1.42 for explicit points, 2 for equal
+/// angles at the centre. The trigonometric one has no such bound.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Parameterization {
+    /// Equal steps of the angle in `(a cos^e, b sin^e)` (JLS Eqs. 2.9, 2.10): points crowd where
+    /// the curve is bent, far more than it is.
+    Trigonometric,
+    /// Equal steps of the angle at the centre (Löffelmann and Gröller 1994; JLS Eqs. 2.71, 2.72).
+    AngleCentre,
+    /// Equal steps of the coordinate that changes faster, the other one being calculated from it
+    /// (FB81; JLS Eq. 2.70, its outer exponent corrected).
+    Explicit,
+    /// Equal steps along the curve (Pilu and Fisher 1995).
+    EqualDistance,
+}
+
+impl Parameterization {
+    /// All of them.
+    pub const ALL: [Self; 4] =
+        [Self::Trigonometric, Self::AngleCentre, Self::Explicit, Self::EqualDistance];
+
+    /// `4 n` points of a superellipse, counter-clockwise from `(a, 0)`, on all four axes; none
+    /// for `n = 0`. Explicit points come in pairs of steps: for them `n` is even, or made so.
+    pub fn superellipse(self, figure: &Superellipse, n: usize) -> Vec<Vector2<f64>> {
+        let quarter = self.quarter(figure.size(), figure.exponent(), n);
+        around(&quarter).map(Vector2::from).collect()
+    }
+
+    /// Points of a superellipsoid, in the model's frame: `2 n + 1` rows from the south pole to the
+    /// north pole, each of `4 n` points from the x axis on around z. Poles come once for every
+    /// point of their row. For explicit points `n` is even, or made so.
+    ///
+    /// They are the spherical product (B81) of such a meridian and such an equator, but for
+    /// [`AngleCentre`](Self::AngleCentre), whose angles are those of rays in space.
+    pub fn superellipsoid(self, shape: &Superellipsoid, n: usize) -> Vec<Vec<Vector3<f64>>> {
+        if self == Self::AngleCentre {
+            return angle_centre::superellipsoid(shape, n);
+        }
+        let [a1, a2, a3] = shape.size();
+        let [e1, e2] = shape.exponents();
+        let equator = self.quarter([a1, a2], e2, n);
+        let radius = a1.max(a2);
+        let meridian = self.quarter([radius, a3], e1, n);
+        let south = meridian.iter().skip(1).rev().map(|&[r, z]| [r, -z]);
+        let row = |[r, z]: [f64; 2]| {
+            let scale = r / radius;
+            around(&equator).map(|[x, y]| Vector3::new(scale * x, scale * y, z)).collect()
+        };
+        south.chain(meridian.iter().copied()).map(row).collect()
+    }
+
+    /// `n + 1` points from `(a, 0)` to `(0, b)`.
+    fn quarter(self, size: [f64; 2], e: f64, n: usize) -> Vec<[f64; 2]> {
+        match self {
+            Self::Trigonometric => trigonometric::quarter(size, e, n),
+            Self::AngleCentre => angle_centre::quarter(size, e, n),
+            Self::Explicit => explicit::quarter(size, e, n),
+            Self::EqualDistance => equal_distance::quarter(size, e, n),
+        }
+    }
+}
+
+/// A quarter and its reflections, once around without the end of each.
+fn around(quarter: &[[f64; 2]]) -> impl Iterator<Item = [f64; 2]> + Clone {
+    let steps = quarter.len().saturating_sub(1);
+    let first = quarter[..steps].iter().copied();
+    let last = quarter.iter().skip(1).rev().copied();
+    first
+        .clone()
+        .chain(last.clone().map(|[x, y]| [-x, y]))
+        .chain(first.map(|[x, y]| [-x, -y]))
+        .chain(last.map(|[x, y]| [x, -y]))
+}
+
+#[cfg(test)]
+mod tests;
