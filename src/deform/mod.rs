@@ -10,6 +10,7 @@ mod chain;
 mod deformation;
 mod deformed;
 mod error;
+mod local_to_global;
 mod map;
 mod profile;
 mod scale;
@@ -21,6 +22,9 @@ pub use chain::Chain;
 pub use deformation::{Deformation, Kind};
 pub use deformed::{Deformed, MassEstimate};
 pub use error::DeformError;
+pub use local_to_global::{
+    JacobianField, curve_curvature, deformed_curve, zxz_curvatures, zxz_rotation,
+};
 pub use map::Deform;
 pub use profile::{Line, Polyline, Profile, Spline};
 pub use scale::Scale;

@@ -35,6 +35,11 @@ pub trait Scalar:
     /// The greater of two numbers.
     fn max(self, other: Self) -> Self;
 
+    /// The lesser of two numbers.
+    fn min(self, other: Self) -> Self {
+        -((-self).max(-other))
+    }
+
     /// The power of a magnitude, of an exponent above 0.
     fn power(self, exponent: f64) -> Self;
 
