@@ -54,6 +54,7 @@ pub mod pose;
 #[cfg(feature = "python")]
 mod python;
 pub mod raster;
+pub mod ray;
 pub mod recover;
 pub mod report;
 pub mod shape;

@@ -100,6 +100,12 @@ impl Pose {
         Self::new(rotation, -(rotation * self.translation))
     }
 
+    /// This motion after another one.
+    pub fn after(&self, first: &Self) -> Self {
+        let translation = self.world_from_model(&first.translation);
+        Self::new(self.rotation * first.rotation, translation)
+    }
+
     /// A point of the model's frame, in the world.
     pub fn world_from_model(&self, x_model: &Vector3<f64>) -> Vector3<f64> {
         self.rotation * x_model + self.translation
@@ -210,6 +216,16 @@ mod tests {
         let x_model = Vector3::new(0.1, -0.7, 2.0);
         let back = pose.model_from_world(&pose.world_from_model(&x_model));
         assert!((back - x_model).norm() < 10.0 * TOLERANCE);
+    }
+
+    #[test]
+    fn motions_follow_each_other() {
+        let first = Pose::from_euler_zyz([0.3, 1.2, -2.0], Vector3::new(5.0, -3.0, 0.25));
+        let second = Pose::from_euler_zyz([-1.0, 0.4, 0.7], Vector3::new(0.1, 2.0, -4.0));
+        let x = Vector3::new(0.1, -0.7, 2.0);
+        let expected = second.world_from_model(&first.world_from_model(&x));
+        let found = second.after(&first).world_from_model(&x);
+        assert!((found - expected).norm() < 10.0 * TOLERANCE);
     }
 
     #[test]

@@ -7,8 +7,9 @@ use std::path::Path;
 use super::error::CliError;
 use crate::cloud::{self, PointCloud};
 use crate::model::Model;
-use crate::report::{DocumentError, model_from_json, primitive_from_json};
-use crate::solid::Primitive;
+use crate::report::{DocumentError, model_from_json, primitive_from_json, solid_from_json};
+use crate::shape::Superellipsoid;
+use crate::solid::{Primitive, Tree};
 use crate::surface::format::MeshFormat;
 
 /// Most bytes that a model's document may have: a fit has less than a thousand.
@@ -41,6 +42,11 @@ pub(super) fn read_model(path: &Path) -> Result<Model, CliError> {
 /// The model in a JSON file or on stdin, with its deformations.
 pub(super) fn read_primitive(path: &Path) -> Result<Primitive, CliError> {
     read_document(path, primitive_from_json)
+}
+
+/// The solid in a JSON file or on stdin.
+pub(super) fn read_solid(path: &Path) -> Result<Tree<Superellipsoid>, CliError> {
+    read_document(path, solid_from_json)
 }
 
 fn read_document<T>(

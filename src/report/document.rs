@@ -46,6 +46,9 @@ pub enum DocumentError {
     /// A deformed model where a plain one is needed.
     #[error("expected a model without deformations")]
     Deformed,
+    /// A union, intersection or difference of nothing.
+    #[error("expected a list of at least one solid after union, intersection or difference")]
+    Parts,
     /// A profile that no document can describe.
     #[error("a profile that is neither line, polyline nor spline has no JSON form")]
     Function,
@@ -172,11 +175,15 @@ pub fn model_from_json(text: &str) -> Result<Model, DocumentError> {
 
 /// The document of a model in a JSON text: a bare one, or that of a fit.
 pub(super) fn model_document(text: &str) -> Result<ModelDocument, DocumentError> {
-    let value: serde_json::Value = serde_json::from_str(text)?;
+    model_document_of(&serde_json::from_str(text)?)
+}
+
+/// The document of a model in JSON: a bare one, or that of a fit.
+pub(super) fn model_document_of(value: &serde_json::Value) -> Result<ModelDocument, DocumentError> {
     if let Some(schema) = value.get("schema").filter(|schema| *schema != FIT_SCHEMA) {
         return Err(DocumentError::Schema(schema.to_string()));
     }
-    let model = value.get("model").unwrap_or(&value).clone();
+    let model = value.get("model").unwrap_or(value).clone();
     serde_json::from_value(model).map_err(DocumentError::Model)
 }
 

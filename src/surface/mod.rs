@@ -1,5 +1,6 @@
 //! Surfaces as triangles and as points.
 
+mod boundary;
 mod deformed;
 pub mod format;
 mod grading;
@@ -9,6 +10,7 @@ mod parameterization;
 mod sample;
 mod tessellate;
 
+pub use boundary::boundary_mesh;
 pub use deformed::{sample_deformed_surface, tessellate_deformed};
 pub use mesh::Mesh;
 pub use parameterization::Parameterization;

@@ -13,7 +13,7 @@ use std::path::PathBuf;
 pub(super) use exchange::{ExportArgs, ImportArgs};
 pub(super) use fit::FitArgs;
 pub(super) use sensor::{SensorArgs, SupportArg};
-pub(super) use view::{ContourArgs, OverlayArgs, ViewArgs};
+pub(super) use view::{ContourArgs, OverlayArgs, RenderArgs, ViewArgs};
 
 use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
@@ -39,6 +39,7 @@ Examples:
   superquadric info fit.json
   superquadric contour fit.json --camera camera.json -o outline.svg
   superquadric overlay fit.json --camera camera.json --image photo.png -o overlay.png
+  superquadric render fit.json --camera camera.json --shaded picture.png
   superquadric export fit.json --to lammps -o particle.data
   superquadric import particle.data --from lammps -o model.json
 
@@ -60,6 +61,7 @@ pub(super) enum Command {
     Info(InfoArgs),
     Contour(ContourArgs),
     Overlay(OverlayArgs),
+    Render(RenderArgs),
     Export(ExportArgs),
     Import(ImportArgs),
     Batch(BatchArgs),

@@ -1,0 +1,15 @@
+//! Rays through any solid: where they meet its surface, and what a camera sees of it.
+
+mod hits;
+mod image;
+mod render;
+mod shading;
+mod target;
+
+pub use hits::Ray;
+pub use render::{Rays, Rendering, render};
+pub use shading::{Light, Shading};
+pub use target::{Hit, Target};
+
+#[cfg(test)]
+mod tests;
