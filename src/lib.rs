@@ -35,7 +35,7 @@
 //!
 //! [`math`] -> [`shape`] and [`pose`] -> [`model`], [`deform`] -> [`solid`] -> [`surface`], [`raster`],
 //! [`compare`]; [`cloud`] and
-//! [`view`] -> [`recover`] -> [`report`] and [`batch`] -> [`output`] and the command line. Nothing below the command line
+//! [`view`] -> [`recover`], [`ray`] -> [`report`] and [`batch`] -> [`output`] and the command line. Nothing below the command line
 //! prints or exits.
 
 pub mod batch;

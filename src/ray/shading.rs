@@ -113,8 +113,8 @@ mod tests {
     fn the_mirrored_light_is_brightest_where_it_is_mirrored_to() {
         let normal = Vector3::new(0.3, 0.0, -1.0).normalize();
         let mirror = 2.0 * normal.dot(&-Vector3::z()) * normal + Vector3::z();
-        let blue = |viewer: Vector3<f64>| shading(0.5).color(&normal, &viewer.normalize())[2];
-        assert_eq!(blue(mirror), 128);
-        assert!(blue(mirror + 0.1 * Vector3::y()) < 128 && blue(-Vector3::z()) < blue(mirror));
+        let blue = |viewer: Vector3<f64>| shading(0.6).color(&normal, &viewer.normalize())[2];
+        assert_eq!(blue(mirror), 153);
+        assert!(blue(mirror + 0.1 * Vector3::y()) < 153 && blue(-Vector3::z()) < blue(mirror));
     }
 }
