@@ -98,6 +98,28 @@ fn what_it_writes_is_what_a_fit_reads() {
 }
 
 #[test]
+fn a_solid_is_meshed() {
+    let folder = folder();
+    let output = Command::new(env!("CARGO_BIN_EXE_superquadric"))
+        .args(["mesh", "bored.json", "-o", "bored.obj", "--resolution", "20"])
+        .current_dir(&folder)
+        .output()
+        .expect("the program");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let mesh = fs::read_to_string(folder.path().join("bored.obj")).expect("a mesh");
+    let vertices = mesh.lines().filter_map(|line| line.strip_prefix("v "));
+    for line in vertices.clone() {
+        let x: Vec<f64> = line.split(' ').map(|n| n.parse().expect("a number")).collect();
+        let of_center = (x[0].hypot(x[1])).hypot(x[2] - 4.0);
+        let of_bore = (x[0] - 0.9).hypot(x[1]);
+        // On the ball outside the bore, or on the bore inside the ball.
+        let is_on_ball = (of_center - 1.0).abs() < 1e-6 && of_bore > 0.3 - 1e-6;
+        assert!(is_on_ball || ((of_bore - 0.3).abs() < 1e-6 && of_center < 1.0 + 1e-6), "{x:?}");
+    }
+    assert!(vertices.count() > 1000);
+}
+
+#[test]
 fn without_an_output_and_with_bad_input_it_says_so() {
     let folder = folder();
     assert_eq!(render(&folder, &[]).status.code(), Some(2));

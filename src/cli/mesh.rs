@@ -1,14 +1,24 @@
-//! `superquadric mesh`: a model in, a mesh file out.
+//! `superquadric mesh`: a model or a solid in, a mesh file out.
 
 use super::DONE;
 use super::args::MeshArgs;
 use super::error::CliError;
-use super::input::read_primitive;
+use super::input::read_solid;
 use super::output::{write_mesh, write_mesh_of};
-use crate::surface::tessellate_deformed;
+use crate::solid::Tree;
+use crate::surface::{boundary_mesh, tessellate_deformed};
+
+/// Cells along the longest side of a solid to a segment of a model's lattice: both then resolve
+/// about the same.
+const CELLS_TO_A_SEGMENT: usize = 3;
 
 pub(super) fn run(args: &MeshArgs) -> Result<u8, CliError> {
-    let primitive = read_primitive(&args.model)?;
+    let solid = read_solid(&args.model)?;
+    let Tree::Primitive(primitive) = &solid else {
+        let cells = CELLS_TO_A_SEGMENT * args.resolution.segments();
+        write_mesh_of(&args.output, &boundary_mesh(&solid, solid.bounding_box(), cells), None)?;
+        return Ok(DONE);
+    };
     if let Some(model) = primitive.undeformed() {
         write_mesh(&args.output, &model, args.resolution)?;
         return Ok(DONE);

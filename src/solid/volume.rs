@@ -20,7 +20,8 @@ where
     S: Solid + LevelSet + Sync,
 {
     let [min, max] = solid.bounding_box();
-    let is_empty = (0..3).any(|i| !(min[i] < max[i]) || !(max[i] - min[i]).is_finite());
+    let extent = max - min;
+    let is_empty = extent.iter().any(|&side| !(side > 0.0 && side.is_finite()));
     if is_empty {
         return [0.0, 0.0];
     }

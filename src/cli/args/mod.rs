@@ -91,7 +91,7 @@ impl SearchArgs {
     }
 }
 
-/// Write a mesh of a model's surface, with the model's parameters in the file.
+/// Write a mesh of the surface of a model, with its parameters in the file, or of a solid.
 #[derive(Debug, clap::Args)]
 pub(super) struct MeshArgs {
     /// A fit or a bare model in JSON; - is stdin.
@@ -99,7 +99,7 @@ pub(super) struct MeshArgs {
     /// File to write: .ply, .obj, .stl or .glb.
     #[arg(short, long, value_name = "MESH")]
     pub output: PathBuf,
-    /// Segments along each edge of the mesh's lattice (even).
+    /// Segments along each edge of the mesh's lattice (even); of a solid, a third of the cells.
     #[arg(long, value_name = "N", default_value = "32", value_parser = resolution)]
     pub resolution: Resolution,
 }
