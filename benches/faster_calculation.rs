@@ -2,14 +2,14 @@
 //! vector code, each with its true error; and what the library's own writing into z-buffers and
 //! vertex arrays reaches of this machine's memory-write bandwidth.
 //!
-//! `cargo bench --bench faster_calculation` measures and prints both tables; dated results stand
+//! `cargo bench --bench faster_calculation` measures and prints the tables; dated results stand
 //! in `benches/runs/`.
 
 use std::cell::Cell;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use criterion::{Criterion, SamplingMode, Throughput, criterion_group, criterion_main};
 use superquadric::raster::method::{
     Explicit, LogTable, Method, PowerTables, RawParametric, Series, SphericalProduct,
 };
@@ -85,47 +85,62 @@ fn line(criterion: &mut Criterion, name: &'static str, method: &impl Method) -> 
         }
     });
     let [scalar, vector] = [scalar, vector].map(|seconds| seconds / points as f64 * 1e9);
-    Line { name, scalar, vector, error: true_error(method) }
+    Line { name, scalar, vector, error: true_error(method, EXPONENT) }
 }
 
-/// The greatest distance from the surface, in semi-axes.
-fn true_error(method: &impl Method) -> f64 {
-    let shape = Superellipsoid::new([1.0; 3], [EXPONENT; 2]).expect("a valid shape");
+/// The true errors of the methods that have any, over equal exponents.
+fn errors(_: &mut Criterion) {
+    println!("\n| e | series (3 and 4) | power tables (6) |\n| ---: | ---: | ---: |");
+    for e in [0.1, 0.4, 0.7, 1.0, 1.3, 1.6, 1.9, 2.0] {
+        let series = true_error(&Series::new([e, e], STEPS), e);
+        let tables = true_error(&PowerTables::new(e, STEPS), e);
+        println!("| {e} | {series:.1e} | {tables:.1e} |");
+    }
+    println!();
+}
+
+/// The greatest distance from the surface of equal exponents, in semi-axes.
+fn true_error(method: &impl Method, exponent: f64) -> f64 {
+    let shape = Superellipsoid::new([1.0; 3], [exponent; 2]).expect("a valid shape");
     let places = (0..STEPS).flat_map(|j| (0..STEPS).map(move |i| (i, j)));
     let points = places.map(|(i, j)| method.point(i, j).into());
     points.map(|x| shape.radial_distance(&x).abs()).fold(0.0, f64::max)
 }
 
 fn writing(criterion: &mut Criterion) {
-    let mut array = vec![0.0_f32; LARGE / 4];
-    let fill = |value: f32, array: &mut [f32]| array.fill(black_box(value));
-    let fill_seconds = seconds(criterion, "memory filled", LARGE / 4, || {
-        fill(1.0, black_box(&mut array));
-    });
-    drop(array);
-    let bandwidth = LARGE as f64 / fill_seconds;
-    println!("\nmemory is written at {:.2} GB/s", bandwidth / 1e9);
-    println!("\n| written | bytes | GB/s | share of the bandwidth |\n| --- | ---: | ---: | ---: |");
-    let tell = |name: &str, bytes: usize, seconds: f64| {
-        let [rate, megabytes] = [bytes as f64 / seconds, bytes as f64 / 1e6];
-        println!(
-            "| {name} | {megabytes:.0} MB | {:.2} | {:.0} % |",
-            rate / 1e9,
-            100.0 * rate / bandwidth
-        );
-    };
+    let before = bandwidth(criterion, "memory filled, before");
+    let mut written = Vec::new();
     for exponents in [[EXPONENT; 2], [0.4, 1.2]] {
         for side in [1024, 8192] {
             let name = format!("z-buffer {side} x {side}, e = {exponents:?}");
             let (bytes, seconds) = z_buffer(criterion, &name, side, exponents);
-            tell(&name, bytes, seconds);
+            written.push((name, bytes, seconds));
         }
     }
     let (bytes, seconds) = product(criterion);
-    tell("vertices, spherical product", bytes, seconds);
+    written.push(("vertices, spherical product".to_owned(), bytes, seconds));
     let (bytes, seconds) = reflections(criterion);
-    tell("vertices, 48-fold symmetry", bytes, seconds);
+    written.push(("vertices, 48-fold symmetry".to_owned(), bytes, seconds));
+    // What others do to a shared machine's memory in the meantime counts against us.
+    let bandwidth = before.max(bandwidth(criterion, "memory filled, after"));
+    println!("\nmemory is written at {:.2} GB/s", bandwidth / 1e9);
+    println!("\n| written | MB | GB/s | share of the bandwidth |\n| --- | ---: | ---: | ---: |");
+    for (name, bytes, seconds) in written {
+        let [rate, megabytes] = [bytes as f64 / seconds / 1e9, bytes as f64 / 1e6];
+        let share = 1e11 * rate / bandwidth;
+        println!("| {name} | {megabytes:.0} | {rate:.2} | {share:.0} % |");
+    }
     println!();
+}
+
+/// Bytes a second at which a large array is filled.
+fn bandwidth(criterion: &mut Criterion, name: &str) -> f64 {
+    // Not zeros, whose memory would only be found when it is first written.
+    let mut array = vec![0.5_f32; LARGE / 4];
+    let seconds = seconds(criterion, name, LARGE / 4, || {
+        black_box(&mut array).fill(black_box(1.0));
+    });
+    LARGE as f64 / seconds
 }
 
 /// Bytes of the pixels that a solid takes of a z-buffer that its box fills, and the seconds.
@@ -175,26 +190,33 @@ fn reflections(criterion: &mut Criterion) -> (usize, f64) {
     (12 * count, seconds)
 }
 
-/// The least seconds that a run takes, of those that criterion measures.
+/// The mean seconds that a run takes on the processor, over all that criterion measures.
 fn seconds(criterion: &mut Criterion, name: &str, elements: usize, mut run: impl FnMut()) -> f64 {
-    let least = Cell::new(f64::INFINITY);
+    let (runs, total) = (Cell::new(0), Cell::new(Duration::ZERO));
     let mut group = criterion.benchmark_group("faster calculation");
     group.sample_size(10).warm_up_time(Duration::from_millis(300));
-    group
-        .measurement_time(Duration::from_secs(1))
-        .throughput(Throughput::Elements(elements as u64));
+    group.throughput(Throughput::Elements(elements as u64));
+    group.sampling_mode(SamplingMode::Flat).measurement_time(Duration::from_secs(3));
     group.bench_function(name, |bencher| {
         bencher.iter_custom(|iterations| {
-            let start = Instant::now();
+            let (start, start_on_processor) = (Instant::now(), time_on_processor());
             (0..iterations).for_each(|_| run());
             let elapsed = start.elapsed();
-            least.set(least.get().min(elapsed.as_secs_f64() / iterations as f64));
+            let on_processor = start_on_processor.zip(time_on_processor());
+            runs.set(runs.get() + iterations);
+            total.set(total.get() + on_processor.map_or(elapsed, |(start, end)| end - start));
             elapsed
         });
     });
     group.finish();
-    least.get()
+    total.get().as_secs_f64() / runs.get() as f64
 }
 
-criterion_group!(benches, methods, writing);
+/// How long this thread has run, without what others took of a shared machine; Linux tells.
+fn time_on_processor() -> Option<Duration> {
+    let schedule = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
+    schedule.split(' ').next()?.parse().ok().map(Duration::from_nanos)
+}
+
+criterion_group!(benches, methods, errors, writing);
 criterion_main!(benches);

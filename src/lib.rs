@@ -25,6 +25,8 @@
 //! | `phi theta psi` | Euler angles ZYZ in radians: `R = Rz(phi) Ry(theta) Rz(psi)` |
 //! | `p` | the model's centre in the world: `x_world = R x_model + p` |
 //! | `F` | inside-outside function (JLS Eq. 2.16) |
+//! | `a4` | a supertoroid's ring, in units of a1 along x and of a2 along y |
+//! | `n1 n2 n3` | exponents of the solid of three: 2 is round |
 //! | `H = F^(e1/2)` | gauge: homogeneous of degree one, 1 on the surface |
 //! | `d` | signed radial Euclidean distance (JLS Eq. 2.43), negative inside |
 //!
@@ -33,9 +35,9 @@
 //!
 //! # Modules, in the order in which data flows
 //!
-//! [`math`] -> [`shape`] and [`pose`] -> [`model`], [`deform`] -> [`solid`] -> [`surface`], [`raster`],
-//! [`compare`]; [`cloud`] and
-//! [`view`] -> [`recover`], [`ray`] -> [`report`] and [`batch`] -> [`output`] and the command line. Nothing below the command line
+//! [`math`] -> [`shape`] and [`pose`] -> [`model`], [`deform`] -> [`solid`] -> [`surface`] -> [`raster`],
+//! [`compare`]; [`cloud`] and [`view`] -> [`recover`], [`ray`] -> [`report`] and [`batch`] -> [`output`] and
+//! the command line. Nothing below the command line
 //! prints or exits.
 
 pub mod batch;

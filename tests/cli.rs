@@ -202,11 +202,30 @@ fn models_go_to_other_programs_and_come_back() {
 }
 
 #[test]
+fn a_supertoroid_goes_to_vtk_and_stays_in_its_mesh() {
+    let folder = TempDir::new().unwrap();
+    let toroid = r#"{"shape": {"family": "supertoroid", "size": [1, 0.7, 0.4],
+        "exponents": [0.4, 1.3], "ring": 2.5}}"#;
+    let output = run_with_input(&["export", "-", "--to", "vtk"], toroid.as_bytes());
+    assert_done(&output);
+    assert!(text(&output.stdout).contains("RING = 2.5"));
+    let output = run_with_input(&["export", "-", "--to", "pov"], toroid.as_bytes());
+    assert_refused(&output, &["stdin", "POV-Ray", "supertoroid"]);
+
+    let mesh = in_folder(&folder, "toroid.glb");
+    assert_done(&run_with_input(&["mesh", "-", "-o", &mesh], toroid.as_bytes()));
+    let output = run(&["import", &mesh, "--from", "mesh"]);
+    assert_done(&output);
+    let model: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(model["shape"]["ring"], 2.5);
+}
+
+#[test]
 fn what_cannot_be_exported_or_imported_is_told_with_its_file() {
     let folder = TempDir::new().unwrap();
     let bevelled = BARE.replace("[1, 1]", "[1, 1.5]");
     let output = run_with_input(&["export", "-", "--to", "lammps"], bevelled.as_bytes());
-    assert_refused(&output, &["stdin", "LAMMPS", "up to 1", "exponents[1] = 1.5"]);
+    assert_refused(&output, &["stdin", "LAMMPS", "from 0 to 1", "exponents[1] = 1.5"]);
 
     let two = in_folder(&folder, "two.txt");
     fs::write(&two, "1 1 1 2 3 0 0 0 0 0 0\n1 0.5 1 2 3 0 0 0 0 0 0\n").unwrap();
@@ -224,6 +243,32 @@ fn what_cannot_be_exported_or_imported_is_told_with_its_file() {
     let output = run(&["import", &plain, "--from", "mesh"]);
     assert_refused(&output, &["plain.ply", "comment superquadric"]);
     assert_refused(&run(&["import", "absent.ply", "--from", "mesh"]), &["absent.ply"]);
+}
+
+#[test]
+fn mesh_is_as_fine_as_its_tolerance_asks_for_by_every_method() {
+    let folder = TempDir::new().unwrap();
+    let path = in_folder(&folder, "m.obj");
+    let facets = |tolerance: &str, method: &[&str]| {
+        let arguments = ["mesh", "-", "-o", &path, "--tolerance", tolerance];
+        assert_done(&run_with_input(&[&arguments, method].concat(), BARE.as_bytes()));
+        fs::read_to_string(&path).unwrap().lines().filter(|line| line.starts_with("f ")).count()
+    };
+    assert_eq!(facets("0.01", &[]), facets("0.01", &["--method", "subdivision"]));
+    for method in ["lattice", "curvature", "subdivision"] {
+        let [coarse, fine] = ["0.1", "0.01"].map(|share| facets(share, &["--method", method]));
+        assert!(fine > 4 * coarse && fine < 40 * coarse, "{method} {coarse} {fine}");
+    }
+    for (options, names) in [
+        (&["--tolerance", "0"][..], "positive"),
+        (&["--tolerance", "1e-12"], "13 million"),
+        (&["--tolerance", "1", "--resolution", "8"], "--resolution"),
+        (&["--method", "subdivision"], "--tolerance"),
+    ] {
+        let output =
+            run_with_input(&[&["mesh", "-", "-o", &path], options].concat(), BARE.as_bytes());
+        assert_refused(&output, &[names]);
+    }
 }
 
 #[test]

@@ -8,7 +8,11 @@ use proptest::prelude::*;
 use superquadric::exchange::{ExportError, ExportFormat, ImportFormat};
 use superquadric::model::Model;
 use superquadric::pose::Pose;
-use superquadric::shape::Superellipsoid;
+use superquadric::shape::{
+    Shape, Superellipsoid, SuperhyperboloidOneSheet, Supertoroid, ThreeExponent,
+};
+use superquadric::surface::format::MeshFormat;
+use superquadric::surface::{Resolution, tessellate};
 
 /// What is written as what it is read as.
 const BOTH_WAYS: [(ExportFormat, ImportFormat); 6] = [
@@ -72,7 +76,7 @@ fn what_is_written_and_read_is_the_same_solid() {
             if CONTACT_SOLVERS.contains(&to) && !is_round {
                 continue;
             }
-            let text = to.text(&model).unwrap();
+            let text = to.text(model).unwrap();
             let read = from.models(&text).unwrap_or_else(|error| panic!("{error}\n{text}"));
             assert_eq!(read.len(), 1);
             assert_same_solid(&model, &read[0], &mut scene);
@@ -90,20 +94,44 @@ fn shapes_that_a_program_cannot_express_are_named_errors() {
         pose: Pose::identity(),
     };
     for (programs, exponents, index, range) in [
-        (&CONTACT_SOLVERS[..], [1.0, 1.0 + 1e-9], 1, "up to 1"),
-        (&CONTACT_SOLVERS[..], [1.5, 0.3], 0, "up to 1"),
-        (&[ExportFormat::Pov][..], [0.099, 0.3], 0, "from 0.1"),
+        (&CONTACT_SOLVERS[..], [1.0, 1.0 + 1e-9], 1, "exponents from 0 to 1"),
+        (&CONTACT_SOLVERS[..], [1.5, 0.3], 0, "exponents from 0 to 1"),
+        (&[ExportFormat::Pov][..], [0.099, 0.3], 0, "exponents from 0.1"),
     ] {
         for program in programs {
-            let error = program.text(&model(exponents)).unwrap_err();
+            let error = program.text(model(exponents)).unwrap_err();
             assert!(error.to_string().contains(range), "{error}");
-            let ExportError::Exponent { index: found, value, .. } = error;
+            let ExportError::Exponent { index: found, value, .. } = error else {
+                panic!("{error}");
+            };
             assert_eq!((found, value), (index, exponents[index]));
         }
     }
     for program in ExportFormat::ALL {
-        assert!(program.text(&model([0.1, 1.0])).is_ok());
+        assert!(program.text(model([0.1, 1.0])).is_ok());
     }
+}
+
+#[test]
+fn other_families_are_named_errors_but_for_what_vtk_has() {
+    let hyperboloid = SuperhyperboloidOneSheet::new([1.0; 3], [1.0; 2], 1.0).unwrap();
+    let toroid = |ring| Supertoroid::new([1.0, 0.7, 0.4], [0.4, 1.3], ring).unwrap();
+    let three = ThreeExponent::new([1.0; 3], [2.0; 3]).unwrap();
+    let posed = |shape| Model { shape, pose: Pose::identity() };
+    for program in ExportFormat::ALL {
+        for shape in [Shape::from(hyperboloid), three.into(), toroid(2.5).into()] {
+            let is_known = program == ExportFormat::Vtk && matches!(shape, Shape::Supertoroid(_));
+            match program.text(posed(shape)) {
+                Ok(text) => assert!(is_known && text.contains("RING = 2.5"), "{text}"),
+                Err(error) => assert!(
+                    !is_known && error.to_string().contains(shape.family()),
+                    "{program:?}: {error}"
+                ),
+            }
+        }
+    }
+    let error = ExportFormat::Vtk.text(posed(toroid(1.1e4).into())).unwrap_err();
+    assert!(error.to_string().contains("rings up to 10000, found ring = 11000"), "{error}");
 }
 
 #[test]
@@ -226,12 +254,37 @@ proptest! {
             pose: Pose::from_euler_zyz([0.3, 1.1, -0.8], Vector3::new(1.5, -0.25, 7.0)),
         };
         for (to, from) in BOTH_WAYS {
-            let text = damaged(&to.text(&model).unwrap(), &changes, length);
+            let text = damaged(&to.text(model).unwrap(), &changes, length);
             if let Ok(models) = from.models(&text) {
                 prop_assert!(!models.is_empty());
                 for model in models {
                     prop_assert!(model.parameters().iter().all(|value| value.is_finite()));
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn damaged_meshes_give_a_model_or_an_error(
+        changes in prop::collection::vec((0_usize..2000, any::<u8>()), 0..4),
+        length in 0_usize..4000,
+    ) {
+        let model = Model {
+            shape: Superellipsoid::new([1.0, 2.0, 3.0], [0.3, 0.7]).unwrap(),
+            pose: Pose::from_euler_zyz([0.3, 1.1, -0.8], Vector3::new(1.5, -0.25, 7.0)),
+        };
+        let mesh = tessellate(&model.shape, Resolution::new(2).unwrap());
+        let model = model.into();
+        for format in [MeshFormat::Ply, MeshFormat::Obj, MeshFormat::Stl, MeshFormat::Glb] {
+            let mut bytes = Vec::new();
+            format.write(&mesh, Some(&model), &mut bytes).unwrap();
+            for &(place, byte) in &changes {
+                let place = place % bytes.len();
+                bytes[place] = byte;
+            }
+            bytes.truncate(length);
+            if let Ok(model) = format.read_model(&mut &bytes[..]) {
+                prop_assert!(model.bounding_box().iter().flatten().all(|bound| !bound.is_nan()));
             }
         }
     }

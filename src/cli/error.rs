@@ -11,6 +11,7 @@ use crate::exchange::{ExportError, ImportError};
 use crate::output::OutputError;
 use crate::recover::FitError;
 use crate::report::DocumentError;
+use crate::surface::ToleranceError;
 use crate::surface::format::{InscriptionError, UnknownMeshFormat};
 use crate::view::{ImageError, RimError, UnknownContourFormat};
 
@@ -53,6 +54,10 @@ pub(super) enum CliError {
     ContourFormat(#[from] UnknownContourFormat),
     #[error(transparent)]
     MeshFormat(#[from] UnknownMeshFormat),
+    #[error(transparent)]
+    Tolerance(#[from] ToleranceError),
+    #[error("--tolerance is for a superellipsoid, found \"{0}\"; take --resolution")]
+    NoTolerance(&'static str),
     #[error(transparent)]
     Output(#[from] OutputError),
     #[error(transparent)]

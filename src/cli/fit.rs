@@ -14,6 +14,7 @@ use crate::cloud::PointCloud;
 use crate::recover::{Fit, FitOptions, fit};
 use crate::report::{FitDocument, fit_table};
 use crate::surface::format::MeshFormat;
+use crate::surface::tessellate;
 
 /// A fit, the points it was made from, and the time that took.
 pub(super) struct Fitted {
@@ -38,7 +39,8 @@ fn run_one(args: &FitArgs, path: &Path) -> Result<u8, CliError> {
     let Fitted { fit, cloud, seconds } = fit_file(args, path, options)?;
 
     if let Some(mesh) = &args.mesh {
-        write_mesh(mesh, &fit.model, args.resolution)?;
+        let surface = tessellate(&fit.model.shape, args.resolution).transformed(&fit.model.pose);
+        write_mesh(mesh, &surface, Some(&fit.model.into()))?;
     }
     if let Some(inliers) = &args.inliers {
         write_inliers(inliers, &cloud, &fit.is_inlier)?;

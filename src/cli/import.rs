@@ -17,7 +17,7 @@ const BYTES: u64 = 1 << 28;
 
 pub(super) fn run(args: &ImportArgs) -> Result<u8, CliError> {
     let model = match args.from.text_format() {
-        Some(format) => read_one(&args.file, format, args.number)?,
+        Some(format) => read_one(&args.file, format, args.number)?.into(),
         None => read_mesh_model(&args.file)?,
     };
     write_text(&args.output, &ModelDocument::from(&model).to_json())?;

@@ -7,8 +7,10 @@ use std::path::Path;
 use super::error::CliError;
 use crate::cloud::{self, PointCloud};
 use crate::model::Model;
-use crate::report::{DocumentError, model_from_json, primitive_from_json, solid_from_json};
-use crate::shape::Superellipsoid;
+use crate::report::{
+    DocumentError, any_model_from_json, model_from_json, primitive_from_json, solid_from_json,
+};
+use crate::shape::Shape;
 use crate::solid::{Primitive, Tree};
 use crate::surface::format::MeshFormat;
 
@@ -34,18 +36,23 @@ pub(super) fn read_cloud(path: &Path) -> Result<PointCloud, CliError> {
     }
 }
 
-/// The model in a JSON file or on stdin.
+/// The superellipsoid in a JSON file or on stdin.
 pub(super) fn read_model(path: &Path) -> Result<Model, CliError> {
     read_document(path, model_from_json)
 }
 
-/// The model in a JSON file or on stdin, with its deformations.
-pub(super) fn read_primitive(path: &Path) -> Result<Primitive, CliError> {
+/// The model of any family in a JSON file or on stdin.
+pub(super) fn read_any_model(path: &Path) -> Result<Model<Shape>, CliError> {
+    read_document(path, any_model_from_json)
+}
+
+/// The model of any family in a JSON file or on stdin, with its deformations.
+pub(super) fn read_primitive(path: &Path) -> Result<Primitive<Shape>, CliError> {
     read_document(path, primitive_from_json)
 }
 
 /// The solid in a JSON file or on stdin.
-pub(super) fn read_solid(path: &Path) -> Result<Tree<Superellipsoid>, CliError> {
+pub(super) fn read_solid(path: &Path) -> Result<Tree, CliError> {
     read_document(path, solid_from_json)
 }
 
@@ -58,7 +65,7 @@ fn read_document<T>(
 }
 
 /// The model that a mesh file keeps, in the format of its extension.
-pub(super) fn read_mesh_model(path: &Path) -> Result<Model, CliError> {
+pub(super) fn read_mesh_model(path: &Path) -> Result<Model<Shape>, CliError> {
     let format = MeshFormat::from_extension(path)?;
     let mut file = File::open(path).map_err(|source| unreadable(path, source))?;
     format

@@ -4,9 +4,9 @@ use super::DONE;
 use super::args::MeshArgs;
 use super::error::CliError;
 use super::input::read_solid;
-use super::output::{write_mesh, write_mesh_of};
+use super::output::write_mesh;
 use crate::solid::Tree;
-use crate::surface::{boundary_mesh, tessellate_deformed};
+use crate::surface::{boundary_mesh, deformed_mesh};
 
 /// Cells along the longest side of a solid to a segment of a model's lattice: both then resolve
 /// about the same.
@@ -15,15 +15,12 @@ const CELLS_TO_A_SEGMENT: usize = 3;
 pub(super) fn run(args: &MeshArgs) -> Result<u8, CliError> {
     let solid = read_solid(&args.model)?;
     let Tree::Primitive(primitive) = &solid else {
-        let cells = CELLS_TO_A_SEGMENT * args.resolution.segments();
-        write_mesh_of(&args.output, &boundary_mesh(&solid, solid.bounding_box(), cells), None)?;
+        let cells = CELLS_TO_A_SEGMENT * args.fineness.resolution.segments();
+        write_mesh(&args.output, &boundary_mesh(&solid, solid.bounding_box(), cells), None)?;
         return Ok(DONE);
     };
-    if let Some(model) = primitive.undeformed() {
-        write_mesh(&args.output, &model, args.resolution)?;
-        return Ok(DONE);
-    }
-    let mesh = tessellate_deformed(&primitive.deformed, args.resolution);
-    write_mesh_of(&args.output, &mesh.transformed(&primitive.pose), None)?;
+    let mesh = args.fineness.mesh(primitive.deformed.shape())?;
+    let mesh = deformed_mesh(&primitive.deformed, &mesh).transformed(&primitive.pose);
+    write_mesh(&args.output, &mesh, primitive.undeformed().as_ref())?;
     Ok(DONE)
 }

@@ -8,8 +8,9 @@ use super::input::is_stream;
 use crate::cloud::{self, PointCloud};
 use crate::model::Model;
 use crate::output::write_whole;
+use crate::shape::Shape;
+use crate::surface::Mesh;
 use crate::surface::format::MeshFormat;
-use crate::surface::{Mesh, Resolution, tessellate};
 
 /// Writes text to a file, or to stdout where `-` was typed.
 pub(super) fn write_text(path: &Path, text: &str) -> Result<(), CliError> {
@@ -34,22 +35,12 @@ pub(super) fn write_inliers(
     Ok(write_whole(path, |writer| cloud::write_inliers(cloud, is_inlier, writer))?)
 }
 
-/// Writes the mesh of a model, in the world, in the format of the file's extension, and the model
-/// with it.
+/// Writes a mesh in the format of the file's extension, and with it the plain model whose surface
+/// it is, if there is one.
 pub(super) fn write_mesh(
     path: &Path,
-    model: &Model,
-    resolution: Resolution,
-) -> Result<(), CliError> {
-    let mesh = tessellate(&model.shape, resolution).transformed(&model.pose);
-    write_mesh_of(path, &mesh, Some(model))
-}
-
-/// Writes a mesh, and the plain model that it is of, in the format of the file's extension.
-pub(super) fn write_mesh_of(
-    path: &Path,
     mesh: &Mesh,
-    model: Option<&Model>,
+    model: Option<&Model<Shape>>,
 ) -> Result<(), CliError> {
     let format = MeshFormat::from_extension(path)?;
     Ok(write_whole(path, |writer| format.write(mesh, model, writer))?)

@@ -3,47 +3,44 @@
 use thiserror::Error;
 
 use crate::error::ModelError;
-use crate::model::Model;
 
 /// A shape that a program cannot express.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ExportError {
+    /// A family that the program does not know.
+    #[error("{program} cannot express a shape of the family {family}")]
+    Family {
+        /// The program's name.
+        program: &'static str,
+        /// The family's name in documents.
+        family: &'static str,
+    },
     /// An exponent outside the program's range.
-    #[error("{program} takes exponents {range}, found exponents[{index}] = {value}")]
+    #[error(
+        "{program} takes exponents from {least} to {greatest}, found exponents[{index}] = {value}"
+    )]
     Exponent {
         /// The program's name.
         program: &'static str,
-        /// What it takes.
-        range: &'static str,
+        /// The least that it takes.
+        least: f64,
+        /// The greatest that it takes.
+        greatest: f64,
         /// Index of the exponent.
         index: usize,
         /// The value found.
         value: f64,
     },
-}
-
-/// Makes sure that a program takes both exponents.
-pub(super) fn require_exponents(
-    model: &Model,
-    program: &'static str,
-    range: &'static str,
-    is_taken: impl Fn(f64) -> bool,
-) -> Result<(), ExportError> {
-    let exponents = model.shape.exponents();
-    match exponents.iter().position(|&e| !is_taken(e)) {
-        Some(index) => {
-            Err(ExportError::Exponent { program, range, index, value: exponents[index] })
-        }
-        None => Ok(()),
-    }
-}
-
-/// Makes sure that the solid is one of those that contact solvers take.
-pub(super) fn require_exponents_up_to_one(
-    model: &Model,
-    program: &'static str,
-) -> Result<(), ExportError> {
-    require_exponents(model, program, "up to 1", |e| e <= 1.0)
+    /// A supertoroid whose tube is too thin for the program.
+    #[error("{program} takes rings up to {greatest}, found ring = {value}")]
+    Ring {
+        /// The program's name.
+        program: &'static str,
+        /// The greatest that it takes.
+        greatest: f64,
+        /// The value found.
+        value: f64,
+    },
 }
 
 /// A text that does not hold what its format promises.

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 use super::dump;
-use super::error::{ExportError, ImportError, require_exponents_up_to_one};
+use super::error::ImportError;
 use super::line::{Line, lines};
 use super::particle::{Particle, blockiness, quaternion_wxyz, spaced};
 use crate::model::Model;
@@ -17,10 +17,10 @@ pub(super) const EXPECTED: &str = "commands `create_atoms TYPE single X Y Z` and
                                    shape .. blockiness .. quat ..`, or a dump with columns \
                                    shapex, quat1 and blockiness1";
 
-pub(super) fn write(model: &Model) -> Result<String, ExportError> {
-    require_exponents_up_to_one(model, "LIGGGHTS")?;
+/// Domain: exponents up to 1.
+pub(super) fn write(model: &Model) -> String {
     let (axis, degrees) = axis_and_degrees(model);
-    Ok(format!(
+    format!(
         "# A superquadric for LIGGGHTS, atom_style superquadric: include it after create_box.\n\
          # Where there are atoms already, set its own ID in place of 1.\n\
          create_atoms 1 single {} units box\n\
@@ -29,7 +29,7 @@ pub(super) fn write(model: &Model) -> Result<String, ExportError> {
         spaced(&model.shape.size()),
         spaced(&blockiness(model.shape.exponents())),
         spaced(axis.as_slice()),
-    ))
+    )
 }
 
 /// The rotation as a unit axis and an angle in degrees.

@@ -2,7 +2,7 @@
 //!
 //! Semi-axes, `exp1 = e1`, `exp2 = e2`, which it asserts to be at most 1; quaternions are w x y z.
 
-use super::error::{ExportError, ImportError, require_exponents_up_to_one};
+use super::error::ImportError;
 use super::line::{Line, lines};
 use super::particle::{Particle, quaternion_wxyz, spaced};
 use crate::model::Model;
@@ -13,10 +13,10 @@ pub(super) const EXPECTED: &str = "lines `SuperQuadricParticle .. position .. or
 
 const NAME: &str = "SuperQuadricParticle";
 
-pub(super) fn write(model: &Model) -> Result<String, ExportError> {
-    require_exponents_up_to_one(model, "MercuryDPM")?;
+/// Domain: exponents up to 1.
+pub(super) fn write(model: &Model) -> String {
     let [e1, e2] = model.shape.exponents();
-    Ok(format!(
+    format!(
         "Particles 1\n\
          {NAME} id 0 indSpecies 0 position {} orientation {} velocity 0 0 0 \
          angularVelocity 0 0 0 force 0 0 0 torque 0 0 0 radius {:?} invMass {:?} axes {} \
@@ -26,7 +26,7 @@ pub(super) fn write(model: &Model) -> Result<String, ExportError> {
         circumscribed_radius(&model.shape),
         model.shape.volume().recip(),
         spaced(&model.shape.size()),
-    ))
+    )
 }
 
 /// Radius of the least sphere about the centre that holds the solid, which MercuryDPM reads and

@@ -3,6 +3,7 @@
 mod beta;
 mod dual;
 pub(crate) mod elementary;
+pub(crate) mod elementary32;
 mod gamma_variate;
 mod gauss_kronrod;
 mod interval;

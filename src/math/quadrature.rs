@@ -33,7 +33,8 @@ pub(crate) fn integral_in_pieces(f: impl Fn(f64) -> f64, range: [f64; 2], cuts: 
         cuts.iter().copied().filter(|&cut| range[0] < cut && cut < range[1]).collect();
     ends.extend(range);
     ends.sort_by(f64::total_cmp);
-    ends.windows(2).map(|piece| integral(&f, [piece[0], piece[1]])).sum()
+    let pieces = ends.windows(2).filter(|piece| piece[0] < piece[1]);
+    pieces.map(|piece| integral(&f, [piece[0], piece[1]])).sum()
 }
 
 #[cfg(test)]

@@ -114,6 +114,21 @@ impl<'py> Doubles<'py> {
         shaped(py, results.into_flattened(), self.shape())
     }
 
+    /// A pair of numbers for each row, in an array of shape (..., 2); not numbers for rows that are
+    /// not finite.
+    ///
+    /// # Errors
+    /// Those of [`rows`](Self::rows).
+    pub fn map_rows_to_pairs(
+        &self,
+        py: Python<'py>,
+        map: impl Fn(&Vector3<f64>) -> [f64; 2] + Sync,
+    ) -> PyResult<Array<'py>> {
+        let results = self.finite_rows(py, [f64::NAN; 2], map)?;
+        let rows = &self.shape()[..self.shape().len() - 1];
+        shaped(py, results.into_flattened(), &[rows, &[2]].concat())
+    }
+
     /// What `map` makes of the rows that are finite, and `otherwise` in place of the others.
     fn finite_rows<T: Copy + Send + Sync>(
         &self,

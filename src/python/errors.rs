@@ -9,6 +9,7 @@ use pyo3::prelude::*;
 use crate::batch::BatchError as CoreBatchError;
 use crate::cloud::{Problem, ReadError};
 use crate::error::ModelError as CoreModelError;
+use crate::exchange::{ExportError as CoreExportError, ImportError as CoreImportError};
 use crate::output::OutputError;
 use crate::recover::FitError as CoreFitError;
 use crate::report::DocumentError as CoreDocumentError;
@@ -65,6 +66,25 @@ create_exception!(
     SuperquadricError,
     "A suite that cannot be evaluated, or results of another one."
 );
+
+create_exception!(
+    superquadric,
+    ExchangeError,
+    SuperquadricError,
+    "A shape that another program cannot express, or a text that is not its format's."
+);
+
+impl From<CoreExportError> for PyErr {
+    fn from(error: CoreExportError) -> Self {
+        ExchangeError::new_err(error.to_string())
+    }
+}
+
+impl From<CoreImportError> for PyErr {
+    fn from(error: CoreImportError) -> Self {
+        ExchangeError::new_err(error.to_string())
+    }
+}
 
 impl From<CoreModelError> for PyErr {
     fn from(error: CoreModelError) -> Self {

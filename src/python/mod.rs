@@ -4,6 +4,8 @@ mod arrays;
 mod batch;
 mod contour;
 mod errors;
+mod exchange;
+mod families;
 mod fit;
 mod interrupt;
 mod knowledge;
@@ -11,6 +13,7 @@ mod model;
 mod pose;
 mod read;
 mod score;
+mod shape;
 mod solid;
 mod view;
 mod wireframe;
@@ -26,9 +29,13 @@ mod core {
     use super::contour::{PyContour, contour, rim};
     #[pymodule_export]
     use super::errors::{
-        ArrayError, BatchError, CloudError, DocumentError, FitError, ImageError, ModelError,
-        SuperquadricError, ViewError,
+        ArrayError, BatchError, CloudError, DocumentError, ExchangeError, FitError, ImageError,
+        ModelError, SuperquadricError, ViewError,
     };
+    #[pymodule_export]
+    use super::exchange::{export_model, import_models, read_mesh_model, write_mesh};
+    #[pymodule_export]
+    use super::families::{PyOneSheet, PySupertoroid, PyThreeExponent, PyTwoSheets};
     #[pymodule_export]
     use super::fit::{PyFit, fit};
     #[pymodule_export]
@@ -37,6 +44,8 @@ mod core {
     use super::read::read;
     #[pymodule_export]
     use super::score::{PyScore, score};
+    #[pymodule_export]
+    use super::shape::PyShape;
     #[pymodule_export]
     use super::view::{PyCamera, PyDepthMap, read_depth};
     #[pymodule_export]

@@ -12,7 +12,7 @@ use super::pose::pose_of;
 use crate::model::Model;
 use crate::output::write_whole;
 use crate::report::{ModelDocument, model_from_json};
-use crate::shape::Superellipsoid;
+use crate::shape::{Solid, Superellipsoid};
 use crate::surface::{Resolution, sample_solid, sample_surface, tessellate};
 
 /// Greatest difference between the entries of rotations that count as the same: that of a matrix
@@ -62,7 +62,7 @@ impl PyModel {
 }
 
 /// A matrix as an array of shape (3, 3).
-fn square<'py>(py: Python<'py>, matrix: &Matrix3<f64>) -> PyResult<Table<'py>> {
+pub(super) fn square<'py>(py: Python<'py>, matrix: &Matrix3<f64>) -> PyResult<Table<'py>> {
     table(py, <[[f64; 3]; 3]>::from(matrix.transpose()).to_vec())
 }
 
@@ -202,6 +202,24 @@ impl PyModel {
         Doubles::new("points", points)?.map_rows(points.py(), |x| self.0.inside_outside(x))
     }
 
+    /// Gradients of F at points of shape (..., 3), in an array of that shape.
+    fn inside_outside_gradient<'py>(&self, points: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
+        let Model { shape, pose } = &self.0;
+        Doubles::new("points", points)?.map_rows_to_rows(points.py(), |x_world| {
+            pose.rotation() * shape.inside_outside_gradient(&pose.model_from_world(x_world))
+        })
+    }
+
+    /// Principal curvatures, the greater first, of the level surfaces of F through points of shape
+    /// (..., 3), in an array of shape (..., 2): positive where the surface bends away from its
+    /// outward normal.
+    fn curvatures<'py>(&self, points: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
+        let Model { shape, pose } = &self.0;
+        Doubles::new("points", points)?.map_rows_to_pairs(points.py(), |x_world| {
+            shape.curvatures(&pose.model_from_world(x_world)).principal
+        })
+    }
+
     /// The gauge `F^(e1/2)` of points of shape (..., 3), in an array of shape (...): homogeneous
     /// of degree one about the centre, 1 on the surface.
     fn gauge<'py>(&self, points: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
@@ -220,6 +238,24 @@ impl PyModel {
         let Model { shape, pose } = &self.0;
         Doubles::new("points", points)?.map_rows_to_rows(points.py(), |x_world| {
             pose.world_from_model(&shape.radial_projection(&pose.model_from_world(x_world)))
+        })
+    }
+
+    /// Signed Euclidean distances of points of shape (..., 3) from the surface, in an array of shape
+    /// (...): negative inside. Domain: exponents up to 2 (JLS section 2.4.2).
+    fn euclidean_distance<'py>(&self, points: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
+        let Model { shape, pose } = &self.0;
+        Doubles::new("points", points)?.map_rows(points.py(), |x_world| {
+            shape.euclidean_distance(&pose.model_from_world(x_world))
+        })
+    }
+
+    /// The surface points nearest to points of shape (..., 3), in an array of that shape. Domain:
+    /// exponents up to 2.
+    fn nearest_point<'py>(&self, points: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
+        let Model { shape, pose } = &self.0;
+        Doubles::new("points", points)?.map_rows_to_rows(points.py(), |x_world| {
+            pose.world_from_model(&shape.nearest_point(&pose.model_from_world(x_world)))
         })
     }
 

@@ -1,7 +1,7 @@
 //! A superellipsoid seen along its z axis, written into a z-buffer.
 
 use super::z_buffer::ZBuffer;
-use crate::math::elementary::power;
+use crate::math::elementary32::{exp2, log2, mul_add, one_less_exp2, parts, parts32};
 use crate::math::vectorized::{self, Kernel};
 use crate::shape::Superellipsoid;
 
@@ -25,24 +25,25 @@ const FARTHEST_CENTRE: f64 = 1e12;
 ///
 /// Each pixel whose middle is in the outline is given the depth of the surface there, `depth - z`
 /// with z of the explicit equation (JLS Eq. 2.70, its outer exponent corrected), rounded to
-/// `f32`. The powers of x and y are calculated once a column and row, and z for one quarter of
+/// `f32` or by a little more. The powers of x and y are calculated once a column and row, and z for one quarter of
 /// the pixels, in vector code. Domain: a positive, finite `pixel`; any exponents.
 pub fn write_heights(buffer: &mut ZBuffer, shape: &Superellipsoid, placement: &Placement) {
     let [columns, rows] = [0, 1].map(|axis| Axis::new(buffer, shape, placement, axis));
     let [e1, e2] = shape.exponents();
-    let mut scratch = Scratch::new(columns.powers.len());
+    let mut scratch = [(); 3].map(|()| vec![0.0; columns.powers.len()]);
     for (step, &row_power) in rows.powers.iter().enumerate() {
         let count = columns.powers.partition_point(|power| power + row_power < 1.0);
-        let depths = &mut scratch.depths[..count];
+        let [exponents, fractions, depths] = scratch.each_mut().map(|column| &mut column[..count]);
         vectorized::run(QuarterRow {
             powers: &columns.powers[..count],
             row_power,
-            middle: e2 / e1,
-            outer: 0.5 * e1,
-            size: shape.size()[2],
-            centre_depth: placement.depth,
-            shares: &mut scratch.shares[..count],
-            depths,
+            middle: (e2 / e1) as f32,
+            outer: (0.5 * e1) as f32,
+            size: shape.size()[2] as f32,
+            centre_depth: placement.depth as f32,
+            exponents,
+            fractions,
+            depths: &mut *depths,
         });
         let step = step as isize;
         for row in [rows.first_above + step, rows.first_below - step] {
@@ -89,46 +90,43 @@ impl Axis {
     }
 }
 
-/// What a row is calculated in, kept for the next.
-struct Scratch {
-    shares: Vec<f64>,
-    depths: Vec<f32>,
-}
-
-impl Scratch {
-    fn new(length: usize) -> Self {
-        Self { shares: vec![0.0; length], depths: vec![0.0; length] }
-    }
-}
-
 /// The depths of a row from the centre to the outline.
 struct QuarterRow<'a> {
     powers: &'a [f64],
     row_power: f64,
-    middle: f64,
-    outer: f64,
-    size: f64,
-    centre_depth: f64,
-    shares: &'a mut [f64],
+    middle: f32,
+    outer: f32,
+    size: f32,
+    centre_depth: f32,
+    /// What is raised to a power, in two parts.
+    exponents: &'a mut [f32],
+    fractions: &'a mut [f32],
     depths: &'a mut [f32],
 }
 
 impl Kernel for QuarterRow<'_> {
     type Output = ();
 
+    /// Loops of `f64` and loops of `f32` apart, so that the latter take whole vectors.
     #[inline(always)]
     fn run<const FMA: bool>(self) {
-        for (share, power) in self.shares.iter_mut().zip(self.powers) {
-            *share = greater(power + self.row_power, f64::MIN_POSITIVE);
+        let Self { powers, row_power, middle, outer, size, centre_depth, .. } = self;
+        let (exponents, fractions) = (self.exponents, self.fractions);
+        let is_equal = middle == 1.0;
+        for ((k, f), power) in exponents.iter_mut().zip(fractions.iter_mut()).zip(powers) {
+            let sum = power + row_power;
+            let raised = if is_equal { 1.0 - sum } else { sum };
+            [*k, *f] = parts(greater(raised, f64::MIN_POSITIVE));
         }
-        if self.middle != 1.0 {
-            for share in self.shares.iter_mut() {
-                *share = power::<FMA>(*share, self.middle);
+        if !is_equal {
+            for (k, f) in exponents.iter_mut().zip(fractions.iter_mut()) {
+                let rest = one_less_exp2::<FMA>(middle * log2::<FMA>([*k, *f]));
+                [*k, *f] = parts32(if rest > f32::MIN_POSITIVE { rest } else { f32::MIN_POSITIVE });
             }
         }
-        for (depth, share) in self.depths.iter_mut().zip(self.shares) {
-            let rest = greater(1.0 - *share, f64::MIN_POSITIVE);
-            *depth = (self.centre_depth - self.size * power::<FMA>(rest, self.outer)) as f32;
+        for ((depth, k), f) in self.depths.iter_mut().zip(exponents).zip(fractions) {
+            let height = exp2::<FMA>(outer * log2::<FMA>([*k, *f]));
+            *depth = mul_add::<FMA>(-size, height, centre_depth);
         }
     }
 }
@@ -172,7 +170,8 @@ impl Kernel for Reflection<'_> {
 #[inline(always)]
 fn keep_nearer<'a>(pixels: impl Iterator<Item = &'a mut f32>, depths: &[f32]) {
     for (pixel, &depth) in pixels.zip(depths) {
-        *pixel = if depth < *pixel { depth } else { *pixel };
+        // Not as a comparison, which would be compiled to slow masked stores.
+        *pixel = pixel.min(depth);
     }
 }
 

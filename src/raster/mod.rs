@@ -7,11 +7,13 @@
 
 mod height;
 pub mod method;
+mod scatter;
 mod symmetry;
 mod vertex_array;
 mod z_buffer;
 
 pub use height::{Placement, write_heights};
+pub use scatter::scatter;
 pub use symmetry::{octant_reflections, write_reflections};
 pub use vertex_array::{VertexArray, write_product};
 pub use z_buffer::{ZBuffer, ZBufferError};

@@ -25,16 +25,16 @@ pub fn octant_reflections([x, y]: [f64; 2]) -> [[f64; 2]; 8] {
 /// above 0, and `step` from 1e-4 to 1, beyond which it is set to the next.
 pub fn write_reflections(vertices: &mut VertexArray, size: [f64; 3], e: f64, step: f64) {
     let part = SmallestPart::new(e, step.clamp(1e-4, 1.0));
-    vertices.resize(IMAGES * part.count());
-    let mut row = [(); 3].map(|()| vec![0.0_f32; part.powers.len()]);
+    let count = part.counts.iter().sum();
+    let mut columns = [(); 3].map(|()| vec![0.0_f32; count]);
     let mut start = 0;
     for (j, &count) in part.counts.iter().enumerate() {
-        let [xs, ys, zs] = row.each_mut().map(|column| &mut column[..count]);
-        vectorized::run(PartRow { part: &part, j, columns: [&mut *xs, &mut *ys, &mut *zs] });
-        let columns = row.each_ref().map(|column| &column[..count]);
-        vectorized::run(Images { vertices, columns, size, start, stride: part.count() });
+        let row = columns.each_mut().map(|column| &mut column[start..start + count]);
+        vectorized::run(PartRow { part: &part, j, columns: row });
         start += count;
     }
+    vertices.resize(IMAGES * count);
+    vectorized::run(Images { vertices, columns: &columns, size });
 }
 
 /// The part `0 <= x <= y <= z`, a row of x for every y.
@@ -58,10 +58,6 @@ impl SmallestPart {
         let rest = |j: usize| 1.0 - 2.0 * powers[j];
         let counts = (0..steps).map(|j| powers[..=j].partition_point(|x| *x <= rest(j)));
         Self { counts: counts.collect(), coordinates, powers, exponent: e }
-    }
-
-    fn count(&self) -> usize {
-        self.counts.iter().sum()
     }
 }
 
@@ -90,14 +86,11 @@ impl Kernel for PartRow<'_> {
     }
 }
 
-/// The images of a row, each kind of image in its own stretch of the array.
+/// The images of the smallest part, each in its own stretch of the array.
 struct Images<'a> {
     vertices: &'a mut VertexArray,
-    columns: [&'a [f32]; 3],
+    columns: &'a [Vec<f32>; 3],
     size: [f64; 3],
-    /// Place in a stretch, and the length of a stretch.
-    start: usize,
-    stride: usize,
 }
 
 impl Kernel for Images<'_> {
@@ -108,13 +101,12 @@ impl Kernel for Images<'_> {
         let count = self.columns[0].len();
         for image in 0..IMAGES {
             let (order, octant) = (ORDERS[image / 8], image % 8);
-            let start = image * self.stride + self.start;
-            for axis in 0..3 {
+            for (axis, &from) in order.iter().enumerate() {
                 let sign = if octant >> axis & 1 == 0 { 1.0 } else { -1.0 };
                 let factor = (sign * self.size[axis]) as f32;
-                let to = &mut self.vertices.column_mut(axis)[start..start + count];
-                for (to, from) in to.iter_mut().zip(self.columns[order[axis]]) {
-                    *to = factor * from;
+                let to = &mut self.vertices.column_mut(axis)[image * count..(image + 1) * count];
+                for (to, &coordinate) in to.iter_mut().zip(&self.columns[from]) {
+                    *to = factor * coordinate;
                 }
             }
         }

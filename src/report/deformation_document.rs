@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
-use super::document::{DocumentError, PoseDocument};
+use super::model_document::{DocumentError, PoseDocument};
 use crate::deform::{
     Bend, DeformError, Deformation, Kind, Line, Polyline, Profile, Scale, Spline, Taper, Twist,
 };

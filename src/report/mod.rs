@@ -2,13 +2,16 @@
 
 mod deformation_document;
 mod document;
+mod info;
+mod model_document;
 mod primitive_document;
+mod shape_document;
 mod solid_document;
 mod table;
 
-pub use document::{
-    DocumentError, FIT_SCHEMA, FitDocument, InfoDocument, ModelDocument, model_from_json,
-};
+pub use document::{FIT_SCHEMA, FitDocument};
+pub use info::InfoDocument;
+pub use model_document::{DocumentError, ModelDocument, any_model_from_json, model_from_json};
 pub use primitive_document::{PrimitiveInfoDocument, primitive_from_json};
 pub use solid_document::solid_from_json;
 pub use table::{fit_line, fit_table, model_table, primitive_table};

@@ -3,15 +3,17 @@
 use serde::Serialize;
 
 use super::deformation_document::DeformationDocument;
-use super::document::{DocumentError, ModelDocument, model_document, rows, to_json};
-use crate::deform::{Chain, Deformed};
+use super::document::to_json;
+use super::model_document::{DocumentError, ModelDocument, document_from_json, rows};
+use crate::deform::{Chain, Deformed, MassEstimate};
 use crate::model::Model;
+use crate::shape::Shape;
 use crate::solid::Primitive;
 
 /// Relative accuracy of the masses that are told.
-pub(super) const MASS_TOLERANCE: f64 = 1e-6;
+const MASS_TOLERANCE: f64 = 1e-6;
 
-impl TryFrom<&ModelDocument> for Primitive {
+impl TryFrom<&ModelDocument> for Primitive<Shape> {
     type Error = DocumentError;
 
     fn try_from(document: &ModelDocument) -> Result<Self, DocumentError> {
@@ -22,11 +24,11 @@ impl TryFrom<&ModelDocument> for Primitive {
     }
 }
 
-impl TryFrom<&Primitive> for ModelDocument {
+impl TryFrom<&Primitive<Shape>> for ModelDocument {
     type Error = DocumentError;
 
     /// Fails where a profile is a function that has no document.
-    fn try_from(primitive: &Primitive) -> Result<Self, DocumentError> {
+    fn try_from(primitive: &Primitive<Shape>) -> Result<Self, DocumentError> {
         let Primitive { deformed, pose } = primitive;
         let stages = deformed.chain().stages().iter().map(DeformationDocument::new);
         let model = Model { shape: *deformed.shape(), pose: *pose };
@@ -41,8 +43,16 @@ impl TryFrom<&Primitive> for ModelDocument {
 /// # Errors
 /// If the text is not JSON, lacks a key, has parameters outside their domain, or deformations
 /// that fold the shape.
-pub fn primitive_from_json(text: &str) -> Result<Primitive, DocumentError> {
-    Primitive::try_from(&model_document(text)?)
+pub fn primitive_from_json(text: &str) -> Result<Primitive<Shape>, DocumentError> {
+    Primitive::try_from(&document_from_json(text)?)
+}
+
+/// The masses of a deformed superellipsoid, in its own frame.
+pub(super) fn masses(primitive: &Primitive<Shape>) -> Result<MassEstimate, DocumentError> {
+    match primitive.deformed.superellipsoid() {
+        Some(deformed) => Ok(deformed.mass_estimate(MASS_TOLERANCE)),
+        None => Err(DocumentError::DeformedFamily(primitive.deformed.shape().family())),
+    }
 }
 
 /// What is known of a deformed model, besides its parameters.
@@ -66,9 +76,9 @@ impl PrimitiveInfoDocument {
     /// The document of a deformed model.
     ///
     /// # Errors
-    /// If a profile is a function that has no document.
-    pub fn new(primitive: &Primitive) -> Result<Self, DocumentError> {
-        let estimate = primitive.deformed.mass_estimate(MASS_TOLERANCE);
+    /// If a profile is a function that has no document, or the shape is no superellipsoid.
+    pub fn new(primitive: &Primitive<Shape>) -> Result<Self, DocumentError> {
+        let estimate = masses(primitive)?;
         let centroid = primitive.pose.world_from_model(&estimate.properties.centroid());
         Ok(Self {
             model: primitive.try_into()?,
@@ -116,7 +126,8 @@ mod tests {
         let again = primitive_from_json(&serde_json::to_string(&document).unwrap()).unwrap();
         let x = primitive.pose.world_from_model(&primitive.deformed.position(0.3, 0.4));
         assert!((again.inside_outside(&x) - 1.0).abs() < 1e-12);
-        let rotation = |p: &Primitive| *p.deformed.chain().stages()[4].frame().rotation().matrix();
+        let rotation =
+            |p: &Primitive<Shape>| *p.deformed.chain().stages()[4].frame().rotation().matrix();
         assert!((rotation(&again) - rotation(&primitive)).amax() < 1e-15);
         assert_eq!(again.deformed.chain().stages()[..2], primitive.deformed.chain().stages()[..2]);
     }
@@ -138,7 +149,7 @@ mod tests {
         for (message, expected) in cases {
             assert!(message.contains(expected), "{message:?} does not name {expected:?}");
         }
-        let plain = crate::report::model_from_json(BENT).unwrap_err().to_string();
+        let plain = super::super::model_from_json(BENT).unwrap_err().to_string();
         assert!(plain.contains("without deformations"), "{plain}");
     }
 

@@ -2,8 +2,7 @@
 
 use serde_json::Value;
 
-use super::document::{DocumentError, ModelDocument, model_document_of};
-use crate::shape::Superellipsoid;
+use super::model_document::{DocumentError, ModelDocument, document_of};
 use crate::solid::{Primitive, Tree};
 
 /// The solid in a JSON text: a model or a fit, or `{"union": [..]}`, `{"intersection": [..]}` or
@@ -11,11 +10,11 @@ use crate::solid::{Primitive, Tree};
 ///
 /// # Errors
 /// If the text is not JSON, or a part is not the document of a solid.
-pub fn solid_from_json(text: &str) -> Result<Tree<Superellipsoid>, DocumentError> {
+pub fn solid_from_json(text: &str) -> Result<Tree, DocumentError> {
     solid_of(&serde_json::from_str(text)?)
 }
 
-fn solid_of(value: &Value) -> Result<Tree<Superellipsoid>, DocumentError> {
+fn solid_of(value: &Value) -> Result<Tree, DocumentError> {
     let parts = |key: &str| value.get(key).map(parts_of);
     if let Some(parts) = parts("union") {
         return Ok(Tree::Union(parts?));
@@ -28,11 +27,11 @@ fn solid_of(value: &Value) -> Result<Tree<Superellipsoid>, DocumentError> {
         let from = parts.next().ok_or(DocumentError::Parts)?;
         return Ok(Tree::Difference(Box::new(from), parts.collect()));
     }
-    let document: ModelDocument = model_document_of(value)?;
+    let document: ModelDocument = document_of(value)?;
     Ok(Primitive::try_from(&document)?.into())
 }
 
-fn parts_of(value: &Value) -> Result<Vec<Tree<Superellipsoid>>, DocumentError> {
+fn parts_of(value: &Value) -> Result<Vec<Tree>, DocumentError> {
     let parts = value.as_array().filter(|parts| !parts.is_empty()).ok_or(DocumentError::Parts)?;
     parts.iter().map(solid_of).collect()
 }

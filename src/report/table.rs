@@ -2,9 +2,11 @@
 
 use std::fmt::Write;
 
-use super::primitive_document::MASS_TOLERANCE;
+use super::model_document::DocumentError;
+use super::primitive_document::masses;
 use crate::model::Model;
 use crate::recover::Fit;
+use crate::shape::{Shape, Solid};
 use crate::solid::Primitive;
 
 /// Digits to which a person wants to read a parameter.
@@ -15,7 +17,7 @@ const ROUGH: usize = 2;
 
 /// What a fit has found, in a few lines.
 pub fn fit_table(fit: &Fit, seconds: f64) -> String {
-    let mut table = parameters(&fit.model);
+    let mut table = parameters(&fit.model.into());
     let half = fit.covariance.half_intervals();
     line(
         &mut table,
@@ -77,13 +79,15 @@ pub fn fit_line(name: &str, fit: &Fit) -> String {
 }
 
 /// What is known of a model, in a few lines.
-pub fn model_table(model: &Model) -> String {
+pub fn model_table(model: &Model<Shape>) -> String {
     let mut table = parameters(model);
-    let [min, max] = model.bounding_box();
-    line(&mut table, "extents", &vector(&model.shape.size().map(|a| 2.0 * a), DIGITS));
-    line(&mut table, "volume", &number(model.shape.volume(), DIGITS));
+    let [least, greatest] = model.shape.bounding_box();
+    let mass = model.shape.mass_properties();
+    line(&mut table, "extents", &vector((greatest - least).as_slice(), DIGITS));
+    line(&mut table, "volume", &number(mass.volume(), DIGITS));
     line(&mut table, "area", &number(model.shape.surface_area(), DIGITS));
-    let inertia = model.shape.mass_properties().inertia().diagonal();
+    let inertia = mass.inertia().diagonal();
+    let [min, max] = model.bounding_box();
     line(&mut table, "inertia", &format!("{}  (model axes)", vector(inertia.as_slice(), DIGITS)));
     line(&mut table, "box min", &vector(min.as_slice(), DIGITS));
     line(&mut table, "box max", &vector(max.as_slice(), DIGITS));
@@ -91,43 +95,32 @@ pub fn model_table(model: &Model) -> String {
 }
 
 /// What is known of a deformed model, in a few lines.
-pub fn primitive_table(primitive: &Primitive) -> String {
+///
+/// # Errors
+/// If the shape is no superellipsoid.
+pub fn primitive_table(primitive: &Primitive<Shape>) -> Result<String, DocumentError> {
     let Primitive { deformed, pose } = primitive;
     let mut table = parameters(&Model { shape: *deformed.shape(), pose: *pose });
     for stage in deformed.chain().stages() {
         line(&mut table, "then", stage.kind().name());
     }
-    let estimate = deformed.mass_estimate(MASS_TOLERANCE);
+    let estimate = masses(primitive)?;
     let [min, max] = primitive.bounding_box();
     let inertia = estimate.properties.inertia();
     line(&mut table, "volume", &number(estimate.properties.volume(), DIGITS));
     line(&mut table, "area", &number(estimate.surface_area, DIGITS));
-    for (name, i) in ["inertia", "", ""].iter().zip(0..) {
-        line(
-            &mut table,
-            name,
-            &vector(&[inertia[(i, 0)], inertia[(i, 1)], inertia[(i, 2)]], DIGITS),
-        );
+    for (name, row) in ["inertia", "", ""].iter().zip(inertia.row_iter()) {
+        line(&mut table, name, &vector(row.transpose().as_slice(), DIGITS));
     }
     line(&mut table, "mass error", &format!("{:.0e} at most", estimate.error));
     line(&mut table, "box min", &vector(min.as_slice(), DIGITS));
     line(&mut table, "box max", &vector(max.as_slice(), DIGITS));
-    table
+    Ok(table)
 }
 
-fn parameters(model: &Model) -> String {
-    let mut table = String::new();
+fn parameters(model: &Model<Shape>) -> String {
+    let mut table = of_shape(&model.shape);
     let [phi, theta, psi] = model.pose.euler_zyz().map(f64::to_degrees);
-    line(
-        &mut table,
-        "size",
-        &format!("{}  (semi-axes a1 a2 a3)", vector(&model.shape.size(), DIGITS)),
-    );
-    line(
-        &mut table,
-        "exponents",
-        &format!("{}  (e1 e2)", vector(&model.shape.exponents(), DIGITS)),
-    );
     line(&mut table, "centre", &vector(model.pose.translation().as_slice(), DIGITS));
     line(&mut table, "rotation", &format!("{phi:.3} {theta:.3} {psi:.3}  (Euler ZYZ, degrees)"));
     for (name, axis) in ["axis x", "axis y", "axis z"].iter().zip(0..) {
@@ -136,6 +129,36 @@ fn parameters(model: &Model) -> String {
             name,
             &vector(model.pose.rotation().matrix().column(axis).as_slice(), DIGITS),
         );
+    }
+    table
+}
+
+/// The parameters of a shape; the family is named where it is not a superellipsoid.
+fn of_shape(shape: &Shape) -> String {
+    let mut table = String::new();
+    let (size, exponents, names, more) = match shape {
+        Shape::Superellipsoid(s) => (s.size(), s.exponents().to_vec(), "e1 e2", None),
+        Shape::SuperhyperboloidOneSheet(s) => {
+            (s.size(), s.exponents().to_vec(), "e1 e2", Some(("clip", s.clip(), "greatest |z|")))
+        }
+        Shape::SuperhyperboloidTwoSheets(s) => {
+            (s.size(), s.exponents().to_vec(), "e1 e2", Some(("clip", s.clip(), "greatest |x|")))
+        }
+        Shape::Supertoroid(s) => (
+            s.size(),
+            s.exponents().to_vec(),
+            "e1 e2",
+            Some(("ring", s.ring(), "a4, in a1 and a2")),
+        ),
+        Shape::ThreeExponent(s) => (s.size(), s.exponents().to_vec(), "n1 n2 n3", None),
+    };
+    if !matches!(shape, Shape::Superellipsoid(_)) {
+        line(&mut table, "family", &shape.family().replace('_', " "));
+    }
+    line(&mut table, "size", &format!("{}  (semi-axes a1 a2 a3)", vector(&size, DIGITS)));
+    line(&mut table, "exponents", &format!("{}  ({names})", vector(&exponents, DIGITS)));
+    if let Some((name, value, meaning)) = more {
+        line(&mut table, name, &format!("{}  ({meaning})", number(value, DIGITS)));
     }
     table
 }

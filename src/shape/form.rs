@@ -52,7 +52,7 @@ impl BarrForm {
         let scale = self.size.map(f64::recip);
         FormDerivatives {
             gradient: Vector3::from_fn(|i, _| slopes[i] * scale[i]),
-            hessian: Matrix3::from_fn(|i, j| hessian[(i, j)] * scale[i] * scale[j]),
+            hessian: Matrix3::from_fn(|i, j| hessian[(i, j)] * (scale[i] * scale[j])),
         }
     }
 
@@ -133,5 +133,47 @@ pub(crate) fn magnitude_power(t: f64, p: f64) -> Jet {
         value: magnitude.powf(p),
         first: times(sign(t), p * magnitude.powf(p - 1.0)),
         second: times(p * (p - 1.0), magnitude.powf(p - 2.0)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn two_sheets(exponents: [f64; 2]) -> BarrForm {
+        BarrForm { size: [1.0; 3], exponents, ring: 0.0, signs: [-1.0, -1.0] }
+    }
+
+    #[test]
+    fn on_the_asymptote_a_quadric_has_its_own_derivatives() {
+        let form = two_sheets([1.0, 1.0]);
+        let derivatives = form.derivatives(&Vector3::new(2.0, -2.0, 0.5));
+        assert_eq!(derivatives.gradient, Vector3::new(4.0, 4.0, -1.0));
+        let bends = Vector3::new(2.0, -2.0, -2.0);
+        assert_eq!(derivatives.hessian, Matrix3::from_diagonal(&bends));
+        // Nearby they are those of the same polynomial.
+        let near = form.derivatives(&Vector3::new(2.0, -2.0 + 1e-9, 0.5));
+        assert!((near.gradient - Vector3::new(4.0, 4.0, -1.0)).amax() < 1e-8);
+    }
+
+    #[test]
+    fn between_the_sheets_the_function_is_odd_in_the_exchange_of_x_and_y() {
+        for exponents in [[0.5, 1.0], [1.0, 1.5], [2.0, 0.3]] {
+            let form = two_sheets(exponents);
+            let [there, here] = [Vector3::new(0.3, 0.8, 0.0), Vector3::new(0.8, 0.3, 0.0)];
+            assert!((form.value(&there) + form.value(&here)).abs() < 1e-15);
+            let [a, b] = [there, here].map(|x| form.derivatives(&x).gradient);
+            assert!((a.x + b.y).abs() < 1e-13 && (a.y + b.x).abs() < 1e-13);
+        }
+    }
+
+    #[test]
+    fn kilometres_and_micrometres_of_small_exponents_do_not_overflow() {
+        let form = BarrForm { size: [1e-6; 3], exponents: [1.0, 0.05], ring: 0.0, signs: [1.0; 2] };
+        let x = Vector3::new(1e3, -1e3, 1e3);
+        let derivatives = form.derivatives(&x);
+        assert!((form.value(&x) / (2e18 * 2.0_f64.powf(0.05) / 2.0 + 1e18) - 1.0).abs() < 1e-12);
+        assert!(derivatives.gradient.iter().all(|d| d.is_finite() && *d != 0.0));
+        assert!(derivatives.hessian.iter().all(|d| d.is_finite()));
     }
 }

@@ -73,12 +73,12 @@ impl SuperhyperboloidOneSheet {
     }
 
     /// The clip in units of a3.
-    fn top(&self) -> f64 {
+    pub(crate) fn top(&self) -> f64 {
         self.clip / self.size[2]
     }
 
-    /// How much wider than the waist it is at the height `w a3`.
-    fn radius(&self, w: f64) -> f64 {
+    /// How much wider than the waist it is at the height `w a3`, `w` not negative.
+    pub(crate) fn radius(&self, w: f64) -> f64 {
         superellipse_norm(1.0, w, self.exponents[0])
     }
 

@@ -75,12 +75,12 @@ impl SuperhyperboloidTwoSheets {
     }
 
     /// The clip in units of a1.
-    fn top(&self) -> f64 {
+    pub(crate) fn top(&self) -> f64 {
         self.clip / self.size[0]
     }
 
     /// `|x| / a1` of the surface over `[v a2, w a3]`, both not negative.
-    fn height(&self, v: f64, w: f64) -> f64 {
+    pub(crate) fn height(&self, v: f64, w: f64) -> f64 {
         let [e1, e2] = self.exponents;
         superellipse_norm(v, superellipse_norm(1.0, w, e1), e2)
     }

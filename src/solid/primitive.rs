@@ -50,13 +50,15 @@ impl<S: Solid + LevelSet> Primitive<S> {
     }
 }
 
-impl Primitive {
+impl<S: Copy> Primitive<S> {
     /// The plain model, if nothing deforms it.
-    pub fn undeformed(&self) -> Option<Model> {
+    pub fn undeformed(&self) -> Option<Model<S>> {
         let is_plain = self.deformed.chain().stages().is_empty();
         is_plain.then(|| Model { shape: *self.deformed.shape(), pose: self.pose })
     }
+}
 
+impl Primitive {
     /// The masses in the world's frame, to a tolerance as in [`Deformed::mass_estimate`].
     pub fn mass_estimate(&self, tolerance: f64) -> MassEstimate {
         let estimate = self.deformed.mass_estimate(tolerance);

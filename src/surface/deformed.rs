@@ -16,7 +16,12 @@ const MARGIN: f64 = 1.2;
 /// A closed mesh of a deformed surface, in the shape's frame: the shape's mesh, its vertices
 /// deformed.
 pub fn tessellate_deformed(solid: &Deformed, resolution: Resolution) -> Mesh {
-    tessellate(solid.shape(), resolution).mapped(|x| solid.chain().forward_of((*x).into()).into())
+    deformed_mesh(solid, &tessellate(solid.shape(), resolution))
+}
+
+/// The mesh of a shape of any family, its vertices deformed.
+pub fn deformed_mesh<S>(solid: &Deformed<S>, mesh: &Mesh) -> Mesh {
+    mesh.mapped(|x| solid.chain().forward_of((*x).into()).into())
 }
 
 /// `count` independent points of a deformed surface, uniform by area, in the shape's frame; the

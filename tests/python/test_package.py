@@ -49,6 +49,7 @@ def test_exceptions_are_value_errors_with_one_base():
         "BatchError",
         "CloudError",
         "DocumentError",
+        "ExchangeError",
         "FitError",
         "ImageError",
         "ModelError",
@@ -67,7 +68,12 @@ def test_members_are_documented():
         superquadric.DepthMap,
         superquadric.Fit,
         superquadric.Score,
+        superquadric.Shape,
         superquadric.Superellipsoid,
+        superquadric.SuperhyperboloidOneSheet,
+        superquadric.SuperhyperboloidTwoSheets,
+        superquadric.Supertoroid,
+        superquadric.ThreeExponent,
     ]:
         for name, member in vars(kind).items():
             assert name.startswith("_") or member.__doc__, f"{kind.__name__}.{name}"

@@ -2,6 +2,7 @@
 
 mod exchange;
 mod fit;
+mod mesh;
 mod parse;
 mod sensor;
 mod shape;
@@ -12,6 +13,7 @@ use std::path::PathBuf;
 
 pub(super) use exchange::{ExportArgs, ImportArgs};
 pub(super) use fit::FitArgs;
+pub(super) use mesh::FinenessArgs;
 pub(super) use sensor::{SensorArgs, SupportArg};
 pub(super) use view::{ContourArgs, OverlayArgs, RenderArgs, ViewArgs};
 
@@ -19,8 +21,6 @@ use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
 use crate::recover::{Distance, FitOptions};
-use crate::surface::Resolution;
-use parse::resolution;
 
 /// Recovers superquadrics from range points, and tells what there is to know of them.
 #[derive(Debug, Parser)]
@@ -35,7 +35,7 @@ Examples:
   superquadric fit cloud.ply                       what shape is it?
   superquadric fit cloud.ply -o fit.json --mesh fit.ply
   superquadric fit - -o - < cloud.xyz              from stdin, JSON to stdout
-  superquadric mesh fit.json -o shape.stl
+  superquadric mesh fit.json -o shape.stl --tolerance 0.001
   superquadric info fit.json
   superquadric contour fit.json --camera camera.json -o outline.svg
   superquadric overlay fit.json --camera camera.json --image photo.png -o overlay.png
@@ -52,7 +52,8 @@ A model is a superellipsoid
   ((|x|/a1)^(2/e2) + (|y|/a2)^(2/e2))^(e2/e1) + (|z|/a3)^(2/e1) = 1
 with semi-axes a1 a2 a3 in the cloud's own unit and exponents e1 (north-south) and e2
 (east-west), turned by Euler angles ZYZ and moved to its centre. Exponents near 0 are boxes, 1 is
-round, 2 is bevelled.";
+round, 2 is bevelled. Models of the other families (superhyperboloid_one_sheet,
+superhyperboloid_two_sheets, supertoroid, three_exponent) can be given to info and mesh.";
 
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
@@ -99,9 +100,8 @@ pub(super) struct MeshArgs {
     /// File to write: .ply, .obj, .stl or .glb.
     #[arg(short, long, value_name = "MESH")]
     pub output: PathBuf,
-    /// Segments along each edge of the mesh's lattice (even); of a solid, a third of the cells.
-    #[arg(long, value_name = "N", default_value = "32", value_parser = resolution)]
-    pub resolution: Resolution,
+    #[command(flatten)]
+    pub fineness: FinenessArgs,
 }
 
 /// Tell what is known of a model: axes, extents, volume, area, inertia, bounding box.

@@ -4,18 +4,18 @@ use super::Method;
 use super::square::{CORNER_SHARE, Square};
 
 /// `z = (1 - t)^(e/2)` looked up by `t = x^(2/e) + y^(2/e)`, whose terms are looked up by x and
-/// y: three look-ups and an addition a point, and no function but the rounding of t to a step of
-/// the table.
+/// y: three look-ups and an addition of whole numbers a point, and no function.
 ///
-/// x and y stand at the steps of their table, so that only the look-up of z is rounded. Exponents
-/// are equal, as in FB81: else z changes with t too unevenly for a table of even steps.
+/// x and y stand at the steps of their table, so that only their powers are rounded, to steps of
+/// the table of z. Exponents are equal, as in FB81: else z changes with t too unevenly for a
+/// table of even steps.
 #[derive(Debug, Clone)]
 pub struct PowerTables {
     coordinates: Vec<f64>,
     /// `x_i^(2/e)` in steps of the other table.
-    powers: Vec<f64>,
-    /// z at the steps' middles.
-    heights: Vec<f64>,
+    powers: Vec<u32>,
+    /// z at every step.
+    heights: Box<[f64; Self::ENTRIES + 1]>,
 }
 
 impl PowerTables {
@@ -25,17 +25,18 @@ impl PowerTables {
     /// The method for equal exponents `e` above 0 and so many steps.
     pub fn new(e: f64, steps: usize) -> Self {
         let square = Square::new([e, e], steps);
-        let power_step = CORNER_SHARE / Self::ENTRIES as f64;
-        let height = |entry: usize| (1.0 - power_step * (entry as f64 + 0.5)).powf(square.outer);
+        let step = CORNER_SHARE / Self::ENTRIES as f64;
+        let power = |x: &f64| (x.powf(square.inner) / step).round() as u32;
+        let height = |entry: usize| (1.0 - step * entry as f64).powf(square.outer);
         Self {
-            powers: square.coordinates.iter().map(|x| x.powf(square.inner) / power_step).collect(),
-            heights: (0..=Self::ENTRIES).map(height).collect(),
+            powers: square.coordinates.iter().map(power).collect(),
+            heights: Box::new(std::array::from_fn(height)),
             coordinates: square.coordinates,
         }
     }
 
     #[inline(always)]
-    fn height(&self, power: f64) -> f64 {
+    fn height(&self, power: u32) -> f64 {
         self.heights[(power as usize).min(Self::ENTRIES)]
     }
 }

@@ -46,8 +46,10 @@ impl Method for RawParametric {
         for ((x, y), &omega) in xs.iter_mut().zip(ys.iter_mut()).zip(&self.angles) {
             [*y, *x] = sin_cos::<FMA>(omega);
         }
-        for sine_or_cosine in xs.iter_mut().chain(ys) {
-            *sine_or_cosine = parallel * power::<FMA>(*sine_or_cosine, e2);
+        for column in [xs, ys] {
+            for sine_or_cosine in column {
+                *sine_or_cosine = parallel * power::<FMA>(*sine_or_cosine, e2);
+            }
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The choice of instruction set: the only place with `unsafe` code.
+//! The choice of instruction set: the only place of the fit with `unsafe` code.
 //!
 //! Invariant: a function compiled for a target feature is called only after the processor was
 //! found to have that feature.

@@ -58,8 +58,9 @@ fn volume_centroid_and_moments_are_those_counted() {
 fn everything_scales_with_powers_of_the_length() {
     for factor in [1e-6, 1e3] {
         for exponents in EXPONENTS.map(|e| [e, 1.3]) {
-            for (before, after) in
-                families(1.0, exponents).into_iter().zip(families(factor, exponents))
+            for (before, after) in families(SIZE, exponents)
+                .into_iter()
+                .zip(families(SIZE.map(|a| a * factor), exponents))
             {
                 let [before, after] = [before.shape, after.shape];
                 let [mass, scaled] = [before, after].map(|shape| shape.mass_properties());

@@ -14,40 +14,43 @@ const EXPONENTS: [f64; 6] = [0.1, 0.5, 1.0, 1.5, 2.0, 2.6];
 
 const SIZE: [f64; 3] = [2.0, 0.7, 1.3];
 
+/// Of aspect 1:100.
+const THIN: [f64; 3] = [0.3, 0.01, 1.0];
+
 /// A shape to try a law on.
 #[derive(Debug, Clone, Copy)]
 struct Example {
     shape: Shape,
     /// The exponents that it was made of, in B81's sense.
     exponents: [f64; 2],
+    least_size: f64,
 }
 
 impl Example {
-    /// Whether no exponent exceeds one.
+    /// Whether no exponent exceeds this one.
     fn is_at_most(&self, exponent: f64) -> bool {
         self.exponents.iter().all(|&e| e <= exponent)
     }
 }
 
-/// Every family at a pair of exponents, `scale` times as large as usual.
-fn families(scale: f64, [e1, e2]: [f64; 2]) -> [Example; 5] {
-    let size = SIZE.map(|a| a * scale);
+/// Every family at a pair of exponents.
+fn families(size: [f64; 3], [e1, e2]: [f64; 2]) -> [Example; 5] {
     let n = [2.0 / e1, 2.0 / e2, 1.0 / e1 + 1.0 / e2];
     let shapes: [Shape; 5] = [
         Superellipsoid::new(size, [e1, e2]).unwrap().into(),
-        SuperhyperboloidOneSheet::new(size, [e1, e2], 2.2 * scale).unwrap().into(),
-        SuperhyperboloidTwoSheets::new(size, [e1, e2], 3.5 * scale).unwrap().into(),
+        SuperhyperboloidOneSheet::new(size, [e1, e2], 1.7 * size[2]).unwrap().into(),
+        SuperhyperboloidTwoSheets::new(size, [e1, e2], 1.75 * size[0]).unwrap().into(),
         Supertoroid::new(size, [e1, e2], 1.6).unwrap().into(),
         ThreeExponent::new(size, n).unwrap().into(),
     ];
-    shapes.map(|shape| Example { shape, exponents: [e1, e2] })
+    let least_size = size.into_iter().fold(f64::INFINITY, f64::min);
+    shapes.map(|shape| Example { shape, exponents: [e1, e2], least_size })
 }
 
-/// Every family at every pair of exponents.
+/// Every family at every pair of exponents, thick and thin.
 fn examples() -> impl Iterator<Item = Example> {
-    EXPONENTS
-        .into_iter()
-        .flat_map(|e1| EXPONENTS.into_iter().flat_map(move |e2| families(1.0, [e1, e2])))
+    let pairs = || EXPONENTS.into_iter().flat_map(|e1| EXPONENTS.map(|e2| [e1, e2]));
+    [SIZE, THIN].into_iter().flat_map(move |size| pairs().flat_map(move |e| families(size, e)))
 }
 
 /// Tries a law on every example, and refuses to pass unless it held for `least` cases of every

@@ -32,7 +32,7 @@ fn nudging_along_the_normal_leads_outside_and_against_it_inside() {
         let angles = angles(shape);
         for &[eta, omega] in &angles {
             let x = shape.position(eta, omega);
-            let step = 1e-6 * shape.normal(eta, omega);
+            let step = 1e-6 * example.least_size * shape.normal(eta, omega);
             let [outside, inside] = [x + step, x - step];
             assert!(shape.inside_outside(&outside) > 1.0, "{shape:?} {eta} {omega}");
             assert!(shape.inside_outside(&inside) < 1.0, "{shape:?} {eta} {omega}");

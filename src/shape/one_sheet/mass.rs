@@ -49,3 +49,28 @@ impl SuperhyperboloidOneSheet {
         2.0 * integral_in_pieces(f, [0.0, self.top()], &[1.0])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Quadrature over many short pieces is accurate to rounding.
+    #[test]
+    fn quadrature_is_as_accurate_as_stated() {
+        for e1 in [0.05, 0.1, 0.5, 1.0, 1.5, 2.0, 3.0] {
+            for top in [0.01, 1.0, 1.2, 100.0] {
+                let tower = SuperhyperboloidOneSheet::new([1.0; 3], [e1, 1.0], top).unwrap();
+                let mut cuts: Vec<f64> = (-60..60).map(|i| 1.2_f64.powi(i)).collect();
+                cuts.extend((-40..40).map(|i| 1.0 + 1e-2 * f64::from(i)));
+                let pieces = |p: i32| {
+                    let f = |w: f64| tower.radius(w).powi(p);
+                    2.0 * integral_in_pieces(f, [0.0, top], &cuts)
+                };
+                for p in [2, 4] {
+                    let found = tower.over_height(|w| tower.radius(w).powi(p));
+                    assert!((found / pieces(p) - 1.0).abs() < 1e-10, "{e1} {top} {found}");
+                }
+            }
+        }
+    }
+}

@@ -46,3 +46,23 @@ impl Supertoroid {
         16.0 * self.ring * unit * unit * arc_nodes(e1).map(strip).sum::<f64>()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shape::Superellipsoid;
+
+    /// A torus and its tube's superellipsoid have the same elements of area but for the radius,
+    /// which for the one is twice the ring's in sum. Of a long thin ring the area is the product
+    /// of the perimeters, to second order.
+    #[test]
+    fn the_area_is_linear_in_the_ring_and_does_not_fall_below_the_ellipsoids() {
+        for (e1, e2) in [(0.05, 0.1), (0.5, 1.0), (1.5, 2.0), (2.0, 0.05)] {
+            let size = [1.0, 0.01, 0.3];
+            let area = |ring| Supertoroid::new(size, [e1, e2], ring).unwrap().area();
+            assert!((area(3.0) / area(1.0) - 3.0).abs() < 1e-13);
+            let tube = Superellipsoid::new(size, [e1, e2]).unwrap();
+            assert!(area(1.0) > tube.surface_area());
+        }
+    }
+}

@@ -51,3 +51,25 @@ impl SuperhyperboloidTwoSheets {
         8.0 * integral_in_pieces(strip, [0.0, self.greatest_w()], &cuts)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Equal exponents make y and z alike, but they are integrated over in turn, by other cuts.
+    #[test]
+    fn quadrature_is_as_accurate_as_stated() {
+        for e in [0.05, 0.1, 0.5, 1.0, 1.5, 2.0, 3.0] {
+            for clip in [1.01, 1.5, 2.0, 100.0] {
+                let bowls =
+                    |size: [f64; 3]| SuperhyperboloidTwoSheets::new(size, [e, e], clip).unwrap();
+                let moments = bowls([1.0; 3]).masses().second_moments();
+                let [y, z] = [moments[(1, 1)], moments[(2, 2)]];
+                assert!((y / z - 1.0).abs() < 1e-8, "{e} {clip} {y} {z}");
+                let [wide, high] = [[1.0, 0.3, 2.0], [1.0, 2.0, 0.3]]
+                    .map(|size| bowls(size).area_of_bowls_and_caps());
+                assert!((wide / high - 1.0).abs() < 1e-8, "{e} {clip} {wide} {high}");
+            }
+        }
+    }
+}

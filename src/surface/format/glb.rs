@@ -8,7 +8,8 @@ use serde_json::{Value, json};
 use super::inscription::{InscriptionError, KEYWORD};
 use super::{Mesh, float};
 use crate::model::Model;
-use crate::report::{ModelDocument, model_from_json};
+use crate::report::{ModelDocument, any_model_from_json};
+use crate::shape::Shape;
 
 const MAGIC: [u8; 4] = *b"glTF";
 const VERSION: u32 = 2;
@@ -24,7 +25,7 @@ const EXPECTED: &str = "a glTF 2.0 binary whose node has extras.superquadric";
 /// middle of the mesh's box in doubles, and triangles of 32-bit indices.
 pub(super) fn write(
     mesh: &Mesh,
-    model: Option<&Model>,
+    model: Option<&Model<Shape>>,
     writer: &mut (impl Write + ?Sized),
 ) -> io::Result<()> {
     let middle = middle(mesh);
@@ -74,7 +75,7 @@ fn document(
     mesh: &Mesh,
     corners: &[[f32; 3]],
     middle: &Vector3<f64>,
-    model: Option<&Model>,
+    model: Option<&Model<Shape>>,
 ) -> Value {
     let [vertices, triangles] = [corners.len(), mesh.triangles().len()];
     let extreme = |of: fn(f32, f32) -> f32| {
@@ -118,7 +119,9 @@ const ARRAY_BUFFER: u32 = 34962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 
 /// The model in the extras of a node.
-pub(super) fn read_model(reader: &mut (impl Read + ?Sized)) -> Result<Model, InscriptionError> {
+pub(super) fn read_model(
+    reader: &mut (impl Read + ?Sized),
+) -> Result<Model<Shape>, InscriptionError> {
     let mut header = [0_u8; 20];
     reader.read_exact(&mut header)?;
     let number = |at: usize| u32::from_le_bytes([0, 1, 2, 3].map(|i| header[at + i]));
@@ -133,7 +136,7 @@ pub(super) fn read_model(reader: &mut (impl Read + ?Sized)) -> Result<Model, Ins
         serde_json::from_slice(&json).map_err(|_| InscriptionError::Missing(EXPECTED))?;
     let nodes = document["nodes"].as_array().map(Vec::as_slice).unwrap_or_default();
     let model = nodes.iter().find_map(|node| node["extras"].get(KEYWORD));
-    Ok(model_from_json(&model.ok_or(InscriptionError::Missing(EXPECTED))?.to_string())?)
+    Ok(any_model_from_json(&model.ok_or(InscriptionError::Missing(EXPECTED))?.to_string())?)
 }
 
 #[cfg(test)]

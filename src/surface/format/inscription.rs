@@ -9,7 +9,8 @@ use thiserror::Error;
 
 use crate::error::ModelError;
 use crate::model::Model;
-use crate::report::{DocumentError, ModelDocument, model_from_json};
+use crate::report::{DocumentError, ModelDocument, any_model_from_json};
+use crate::shape::Shape;
 
 /// What the line, or the key, of an inscribed model is called.
 pub(super) const KEYWORD: &str = "superquadric";
@@ -35,7 +36,7 @@ pub enum InscriptionError {
 }
 
 /// The line of text that a model is inscribed as.
-pub(super) fn line(model: &Model) -> io::Result<String> {
+pub(super) fn line(model: &Model<Shape>) -> io::Result<String> {
     let json = serde_json::to_string(&ModelDocument::from(model)).map_err(io::Error::other)?;
     Ok(format!("{KEYWORD} {json}"))
 }
@@ -45,12 +46,12 @@ pub(super) fn read(
     reader: &mut (impl Read + ?Sized),
     comment: &str,
     expected: &'static str,
-) -> Result<Model, InscriptionError> {
+) -> Result<Model<Shape>, InscriptionError> {
     let mut header = Vec::new();
     reader.take(HEADER_BYTES).read_to_end(&mut header)?;
     let text = String::from_utf8_lossy(&header);
     let json = text.lines().find_map(|line| {
         line.strip_prefix(comment)?.trim_start().strip_prefix(KEYWORD)?.strip_prefix(' ')
     });
-    Ok(model_from_json(json.ok_or(InscriptionError::Missing(expected))?)?)
+    Ok(any_model_from_json(json.ok_or(InscriptionError::Missing(expected))?)?)
 }

@@ -16,6 +16,7 @@ pub use inscription::InscriptionError;
 
 use super::Mesh;
 use crate::model::Model;
+use crate::shape::Shape;
 
 /// A file format for meshes, with room for the parameters of the model that was meshed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -25,8 +26,8 @@ pub enum MeshFormat {
     /// Wavefront OBJ, text that reads back as the same doubles.
     Obj,
     /// Binary STL, coordinates as floats: 24 bits. A mesh far from the origin loses what is
-    /// smaller than 6e-8 of its distance, and no vertices are shared. Of the parameters the
-    /// rotation is kept to 2e-9.
+    /// smaller than 6e-8 of its distance, and no vertices are shared. Parameters are
+    /// kept of superellipsoids alone, their rotation to 2e-9.
     Stl,
     /// Binary glTF 2.0: coordinates as floats about the mesh's middle, so that no place in the
     /// world costs digits. They are the world's own: nothing is turned to glTF's upward y.
@@ -67,7 +68,7 @@ impl MeshFormat {
     pub fn write(
         self,
         mesh: &Mesh,
-        model: Option<&Model>,
+        model: Option<&Model<Shape>>,
         writer: &mut (impl Write + ?Sized),
     ) -> io::Result<()> {
         match self {
@@ -79,11 +80,14 @@ impl MeshFormat {
     }
 
     /// The model that [`write`](Self::write) was given: the same doubles, but for the rotation in
-    /// STL. No more is read than the file's header.
+    /// STL, which has room for superellipsoids alone. No more is read than the file's header.
     ///
     /// # Errors
     /// If `reader` fails, or the file holds no model, or a broken one.
-    pub fn read_model(self, reader: &mut (impl Read + ?Sized)) -> Result<Model, InscriptionError> {
+    pub fn read_model(
+        self,
+        reader: &mut (impl Read + ?Sized),
+    ) -> Result<Model<Shape>, InscriptionError> {
         match self {
             Self::Ply => ply::read_model(reader),
             Self::Obj => obj::read_model(reader),
@@ -107,22 +111,24 @@ fn float(coordinate: f64, format: &str) -> io::Result<f32> {
 mod tests {
     use super::*;
     use crate::pose::Pose;
-    use crate::shape::Superellipsoid;
-    use crate::surface::{Resolution, tessellate};
+    use crate::shape::{Superellipsoid, Supertoroid, ThreeExponent};
+    use crate::surface::{Resolution, tessellate_shape};
     use nalgebra::Vector3;
 
     const FORMATS: [MeshFormat; 4] =
         [MeshFormat::Ply, MeshFormat::Obj, MeshFormat::Stl, MeshFormat::Glb];
 
     /// A model of uneven parameters.
-    pub(super) fn model() -> Model {
-        Model {
-            shape: Superellipsoid::new([2.0, 1.0, 0.1 + 0.2], [0.4, 1.3]).unwrap(),
-            pose: Pose::from_euler_zyz([0.3, 1.1, -0.8], Vector3::new(1e-7, -2.0, 3e5)),
-        }
+    pub(super) fn model() -> Model<Shape> {
+        posed(Superellipsoid::new([2.0, 1.0, 0.1 + 0.2], [0.4, 1.3]).unwrap())
     }
 
-    fn bytes(format: MeshFormat, mesh: &Mesh, model: Option<&Model>) -> Vec<u8> {
+    fn posed(shape: impl Into<Shape>) -> Model<Shape> {
+        let pose = Pose::from_euler_zyz([0.3, 1.1, -0.8], Vector3::new(1e-7, -2.0, 3e5));
+        Model { shape: shape.into(), pose }
+    }
+
+    fn bytes(format: MeshFormat, mesh: &Mesh, model: Option<&Model<Shape>>) -> Vec<u8> {
         let mut bytes = Vec::new();
         format.write(mesh, model, &mut bytes).unwrap();
         bytes
@@ -131,7 +137,7 @@ mod tests {
     /// The mesh of that model, and its bytes in a format.
     pub(super) fn written(format: MeshFormat) -> (Mesh, Vec<u8>) {
         let Model { shape, pose } = model();
-        let mesh = tessellate(&shape, Resolution::new(4).unwrap()).transformed(&pose);
+        let mesh = tessellate_shape(&shape, Resolution::new(4).unwrap()).transformed(&pose);
         let bytes = bytes(format, &mesh, Some(&model()));
         (mesh, bytes)
     }
@@ -174,6 +180,22 @@ mod tests {
                 assert!(turned < 2e-9, "{turned}");
             } else {
                 assert_eq!(read, model());
+            }
+        }
+    }
+
+    #[test]
+    fn other_families_come_back_where_there_is_room() {
+        let toroid = posed(Supertoroid::new([1.0, 0.7, 0.4], [0.4, 1.3], 2.5).unwrap());
+        let three = posed(ThreeExponent::new([1.0, 0.7, 0.4], [2.0, 1.3, 4.0]).unwrap());
+        for (format, model) in FORMATS.into_iter().flat_map(|f| [(f, toroid), (f, three)]) {
+            let mesh = tessellate_shape(&model.shape, Resolution::new(2).unwrap());
+            let bytes = bytes(format, &mesh, Some(&model));
+            match format.read_model(&mut &bytes[..]) {
+                Ok(read) => assert_eq!(read, model),
+                Err(error) => assert!(
+                    format == MeshFormat::Stl && matches!(error, InscriptionError::Missing(_))
+                ),
             }
         }
     }

@@ -5,12 +5,13 @@ use std::io::{self, Read, Write};
 use super::Mesh;
 use super::inscription::{self, InscriptionError};
 use crate::model::Model;
+use crate::shape::Shape;
 
 /// Writes `v` lines in the shortest digits that read back as the same doubles, and `f` lines,
 /// whose indices count from one; the model is a comment.
 pub(super) fn write(
     mesh: &Mesh,
-    model: Option<&Model>,
+    model: Option<&Model<Shape>>,
     writer: &mut (impl Write + ?Sized),
 ) -> io::Result<()> {
     if let Some(model) = model {
@@ -27,7 +28,9 @@ pub(super) fn write(
 }
 
 /// The model in the comments at the beginning.
-pub(super) fn read_model(reader: &mut (impl Read + ?Sized)) -> Result<Model, InscriptionError> {
+pub(super) fn read_model(
+    reader: &mut (impl Read + ?Sized),
+) -> Result<Model<Shape>, InscriptionError> {
     inscription::read(reader, "#", "a line `# superquadric {..}` at the beginning")
 }
 

@@ -5,12 +5,13 @@ use std::io::{self, Read, Write};
 use super::Mesh;
 use super::inscription::{self, InscriptionError};
 use crate::model::Model;
+use crate::shape::Shape;
 
 /// Writes vertices as doubles and triangles as lists of three `int` indices; the model is a
 /// comment.
 pub(super) fn write(
     mesh: &Mesh,
-    model: Option<&Model>,
+    model: Option<&Model<Shape>>,
     writer: &mut (impl Write + ?Sized),
 ) -> io::Result<()> {
     writer.write_all(b"ply\nformat binary_little_endian 1.0\n")?;
@@ -43,7 +44,9 @@ pub(super) fn write(
 }
 
 /// The model in the comments of a header.
-pub(super) fn read_model(reader: &mut (impl Read + ?Sized)) -> Result<Model, InscriptionError> {
+pub(super) fn read_model(
+    reader: &mut (impl Read + ?Sized),
+) -> Result<Model<Shape>, InscriptionError> {
     inscription::read(reader, "comment", "a line `comment superquadric {..}` in the header")
 }
 

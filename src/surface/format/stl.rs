@@ -6,12 +6,13 @@ use nalgebra::Vector3;
 
 use super::{Mesh, float, stl_header};
 use crate::model::Model;
+use crate::shape::Shape;
 
 /// Writes every triangle as its outward normal and three corners, in floats; normals are
 /// computed in doubles, before anything is rounded.
 pub(super) fn write(
     mesh: &Mesh,
-    model: Option<&Model>,
+    model: Option<&Model<Shape>>,
     writer: &mut (impl Write + ?Sized),
 ) -> io::Result<()> {
     writer.write_all(&stl_header::header(model))?;

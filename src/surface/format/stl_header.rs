@@ -12,7 +12,7 @@ use super::inscription::InscriptionError;
 use crate::error::ModelError;
 use crate::model::Model;
 use crate::pose::Pose;
-use crate::shape::Superellipsoid;
+use crate::shape::{Shape, Superellipsoid};
 
 /// Neither this nor [`PLAIN`] may begin like a text STL: "solid".
 const MAGIC: [u8; 4] = *b"SQE1";
@@ -23,8 +23,8 @@ const BYTES: usize = 80;
 /// A whole component of the rotation vector, half a turn, in the units that are written.
 const HALF_TURN: f64 = i32::MAX as f64;
 
-/// The header of a file, with the model's parameters if there is one.
-pub(super) fn header(model: Option<&Model>) -> [u8; BYTES] {
+/// The header of a file, with the parameters of a superellipsoid; others have no room.
+pub(super) fn header(model: Option<&Model<Shape>>) -> [u8; BYTES] {
     let mut header = [0_u8; BYTES];
     let mut rest = &mut header[..];
     let mut put = |bytes: &[u8]| {
@@ -32,21 +32,23 @@ pub(super) fn header(model: Option<&Model>) -> [u8; BYTES] {
         head.copy_from_slice(bytes);
         rest = tail;
     };
-    let Some(model) = model else {
+    let Some(&Model { shape: Shape::Superellipsoid(shape), pose }) = model else {
         put(PLAIN);
         return header;
     };
-    let [a1, a2, a3, e1, e2, _, _, _, px, py, pz] = model.parameters();
+    let [a1, a2, a3, e1, e2, _, _, _, px, py, pz] = Model { shape, pose }.parameters();
     put(&MAGIC);
     [a1, a2, a3, e1, e2, px, py, pz].iter().for_each(|value| put(&value.to_le_bytes()));
-    for component in &model.pose.rotation().scaled_axis() {
+    for component in &pose.rotation().scaled_axis() {
         put(&((component / PI * HALF_TURN).round() as i32).to_le_bytes());
     }
     header
 }
 
 /// The model in the header of a file.
-pub(super) fn read_model(reader: &mut (impl Read + ?Sized)) -> Result<Model, InscriptionError> {
+pub(super) fn read_model(
+    reader: &mut (impl Read + ?Sized),
+) -> Result<Model<Shape>, InscriptionError> {
     let mut header = [0_u8; BYTES];
     reader.read_exact(&mut header)?;
     let Some(parameters) = header.strip_prefix(&MAGIC) else {
@@ -60,5 +62,5 @@ pub(super) fn read_model(reader: &mut (impl Read + ?Sized)) -> Result<Model, Ins
     }
     let integer = |i: usize| i32::from_le_bytes(parameters.as_chunks().0[16 + i]);
     let axis_angle = Vector3::from_fn(|i, _| f64::from(integer(i)) / HALF_TURN * PI);
-    Ok(Model { shape, pose: Pose::new(Rotation3::new(axis_angle), centre) })
+    Ok(Model { shape: shape.into(), pose: Pose::new(Rotation3::new(axis_angle), centre) })
 }

@@ -53,17 +53,31 @@ impl Parameterization {
         if self == Self::AngleCentre {
             return angle_centre::superellipsoid(shape, n);
         }
+        let [meridian, equator] = self.product(shape, |_| n);
+        let row = |[scale, z]: [f64; 2]| {
+            equator.iter().map(|[x, y]| Vector3::new(scale * x, scale * y, z)).collect()
+        };
+        meridian.into_iter().map(row).collect()
+    }
+
+    /// The meridian `(m1, a3 m2)` from the south pole to the north pole, and the equator
+    /// `(a1 h1, a2 h2)` once around, whose spherical product (B81) is the superellipsoid.
+    ///
+    /// `steps` gives the number of steps of a quarter from a bound on its length in space.
+    /// Distances along the meridian are those of its greatest copy, towards the equator's corner.
+    pub(crate) fn product(
+        self,
+        shape: &Superellipsoid,
+        steps: impl Fn(f64) -> usize,
+    ) -> [Vec<[f64; 2]>; 2] {
         let [a1, a2, a3] = shape.size();
         let [e1, e2] = shape.exponents();
-        let equator = self.quarter([a1, a2], e2, n);
-        let radius = a1.max(a2);
-        let meridian = self.quarter([radius, a3], e1, n);
-        let south = meridian.iter().skip(1).rev().map(|&[r, z]| [r, -z]);
-        let row = |[r, z]: [f64; 2]| {
-            let scale = r / radius;
-            around(&equator).map(|[x, y]| Vector3::new(scale * x, scale * y, z)).collect()
-        };
-        south.chain(meridian.iter().copied()).map(row).collect()
+        let equator = self.quarter([a1, a2], e2, steps(a1 + a2));
+        let radius = a1.hypot(a2);
+        let meridian = self.quarter([radius, a3], e1, steps(radius + a3));
+        let north = meridian.iter().map(|&[r, z]| [r / radius, z]);
+        let south = north.clone().skip(1).rev().map(|[scale, z]| [scale, -z]);
+        [south.chain(north).collect(), around(&equator).collect()]
     }
 
     /// `n + 1` points from `(a, 0)` to `(0, b)`.

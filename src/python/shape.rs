@@ -1,0 +1,231 @@
+//! `superquadric.Shape`: a posed solid of any family, and its geometry on arrays.
+
+use std::path::PathBuf;
+
+use nalgebra::Vector3;
+use pyo3::prelude::*;
+use pyo3::types::PyType;
+
+use super::arrays::{Array, Doubles, Table, Vector, map_angles, shaped, table, vector};
+use super::errors::os_error;
+use super::families::to_python;
+use super::model::square;
+use crate::model::Model;
+use crate::output::write_whole;
+use crate::report::{ModelDocument, any_model_from_json};
+use crate::shape::{Parametric, Shape, Solid};
+use crate::surface::{Resolution, tessellate_shape};
+
+/// A solid of a family besides the superellipsoids, in general position: what its kinds
+/// `SuperhyperboloidOneSheet`, `SuperhyperboloidTwoSheets`, `Supertoroid` and `ThreeExponent` can
+/// be asked.
+///
+/// Lengths are in the unit of the caller, angles in radians; points are those of the world, and
+/// those that are not finite give NaN. It cannot be changed.
+#[pyclass(frozen, subclass, name = "Shape", module = "superquadric")]
+pub(super) struct PyShape(pub Model<Shape>);
+
+impl PyShape {
+    fn rotated(&self, v_model: Vector3<f64>) -> Vector3<f64> {
+        self.0.pose.rotation() * v_model
+    }
+}
+
+#[pymethods]
+impl PyShape {
+    /// The family's name in documents.
+    #[getter]
+    fn family(&self) -> &'static str {
+        self.0.shape.family()
+    }
+
+    /// Euler angles phi, theta, psi, in radians: float64 of shape (3,).
+    #[getter]
+    fn euler_zyz<'py>(&self, py: Python<'py>) -> Vector<'py> {
+        vector(py, &self.0.pose.euler_zyz())
+    }
+
+    /// Rotation from the model's frame to the world: float64 of shape (3, 3).
+    #[getter]
+    fn rotation<'py>(&self, py: Python<'py>) -> PyResult<Table<'py>> {
+        square(py, self.0.pose.rotation().matrix())
+    }
+
+    /// The model's centre in the world: float64 of shape (3,).
+    #[getter]
+    fn translation<'py>(&self, py: Python<'py>) -> Vector<'py> {
+        vector(py, self.0.pose.translation().as_slice())
+    }
+
+    /// Volume, of the clipped part where there is a clip.
+    #[getter]
+    fn volume(&self) -> f64 {
+        self.0.shape.volume()
+    }
+
+    /// Area of the whole boundary, the caps of a clip included.
+    #[getter]
+    fn surface_area(&self) -> f64 {
+        self.0.shape.surface_area()
+    }
+
+    /// Inertia tensor of unit density about the centroid, in the model's axes: float64 of shape
+    /// (3, 3).
+    #[getter]
+    fn inertia<'py>(&self, py: Python<'py>) -> PyResult<Table<'py>> {
+        square(py, &self.0.shape.mass_properties().inertia())
+    }
+
+    /// Inertia tensor of unit density about a point of the world, in the world's axes: float64 of
+    /// shape (3, 3). The point is the centroid if none is given.
+    #[pyo3(signature = (point = None))]
+    fn inertia_about<'py>(
+        &self,
+        py: Python<'py>,
+        point: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Table<'py>> {
+        let mass = self.0.mass_properties();
+        let point = match point {
+            Some(point) => Doubles::new("point", point)?.vector::<3>()?.into(),
+            None => mass.centroid(),
+        };
+        square(py, &mass.inertia_about(&point))
+    }
+
+    /// The least box along the world's axes that holds the solid: float64 of shape (2, 3).
+    #[getter]
+    fn bounding_box<'py>(&self, py: Python<'py>) -> PyResult<Table<'py>> {
+        table(py, self.0.bounding_box().map(Into::into).to_vec())
+    }
+
+    /// The natural ranges of latitude and longitude, float64 of shape (2, 2): of two sheets those
+    /// of the first; half a turn of longitude leads to the second.
+    #[getter]
+    fn domain<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        shaped(py, self.0.shape.domain().as_flattened().to_vec(), &[2, 2])
+    }
+
+    /// Surface points, of shape (..., 3), at latitudes `eta` and longitudes `omega`, broadcast
+    /// together.
+    fn position<'py>(
+        &self,
+        eta: &Bound<'py, PyAny>,
+        omega: &Bound<'py, PyAny>,
+    ) -> PyResult<Array<'py>> {
+        let Model { shape, pose } = &self.0;
+        map_angles(eta, omega, |eta, omega| pose.world_from_model(&shape.position(eta, omega)))
+    }
+
+    /// Outward unit normals, of shape (..., 3), at latitudes `eta` and longitudes `omega`,
+    /// broadcast together.
+    fn normal<'py>(
+        &self,
+        eta: &Bound<'py, PyAny>,
+        omega: &Bound<'py, PyAny>,
+    ) -> PyResult<Array<'py>> {
+        map_angles(eta, omega, |eta, omega| self.rotated(self.0.shape.normal(eta, omega)))
+    }
+
+    /// The inside-outside function F of points of shape (..., 3), in an array of shape (...):
+    /// below 1 inside, 1 on the surface, above 1 outside. It does not know of a clip.
+    fn inside_outside<'py>(&self, points: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
+        Doubles::new("points", points)?.map_rows(points.py(), |x| self.0.inside_outside(x))
+    }
+
+    /// Gradients of F at points of shape (..., 3), in an array of that shape.
+    fn inside_outside_gradient<'py>(&self, points: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
+        Doubles::new("points", points)?.map_rows_to_rows(points.py(), |x_world| {
+            let x_model = self.0.pose.model_from_world(x_world);
+            self.rotated(self.0.shape.inside_outside_gradient(&x_model))
+        })
+    }
+
+    /// Principal curvatures, the greater first, of the level surfaces of F through points of shape
+    /// (..., 3), in an array of shape (..., 2): positive where the surface bends away from its
+    /// outward normal.
+    fn curvatures<'py>(&self, points: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
+        Doubles::new("points", points)?.map_rows_to_pairs(points.py(), |x_world| {
+            self.0.shape.curvatures(&self.0.pose.model_from_world(x_world)).principal
+        })
+    }
+
+    /// Whether points of shape (..., 3) are inside, the clip included: 1 or 0, in an array of
+    /// shape (...).
+    fn contains<'py>(&self, points: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
+        Doubles::new("points", points)?
+            .map_rows(points.py(), |x| f64::from(u8::from(self.0.contains(x))))
+    }
+
+    /// Signed distances of points of shape (..., 3) from the unclipped surface, along the ray from
+    /// the centre or from the middle of a tube, in an array of shape (...): negative inside,
+    /// infinite where the ray never meets it.
+    fn radial_distance<'py>(&self, points: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
+        Doubles::new("points", points)?.map_rows(points.py(), |x| self.0.radial_distance(x))
+    }
+
+    /// The support function `max { n . x : x in the solid }` for directions n of shape (..., 3),
+    /// in an array of shape (...).
+    fn support<'py>(&self, directions: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
+        Doubles::new("directions", directions)?
+            .map_rows(directions.py(), |direction| self.0.support(direction))
+    }
+
+    /// A closed mesh of the boundary: vertices, float64 of shape (v, 3), and triangles, uint32 of
+    /// shape (t, 3), counter-clockwise as seen from outside.
+    #[pyo3(signature = (resolution = 32))]
+    fn mesh<'py>(
+        &self,
+        py: Python<'py>,
+        resolution: usize,
+    ) -> PyResult<(Table<'py>, Table<'py, u32>)> {
+        let resolution = Resolution::new(resolution)?;
+        let mesh =
+            py.detach(|| tessellate_shape(&self.0.shape, resolution).transformed(&self.0.pose));
+        let vertices = mesh.vertices().iter().map(|&x| x.into()).collect();
+        Ok((table(py, vertices)?, table(py, mesh.triangles().to_vec())?))
+    }
+
+    /// The model as JSON text, `{"shape": .., "pose": ..}`.
+    fn to_json(&self) -> String {
+        ModelDocument::from(&self.0).to_json()
+    }
+
+    /// The model of any family in a JSON text, as an object of its kind.
+    #[classmethod]
+    fn from_json(cls: &Bound<'_, PyType>, text: &str) -> PyResult<Py<PyAny>> {
+        to_python(cls.py(), any_model_from_json(text)?)
+    }
+
+    /// The model as a dictionary, `{"shape": .., "pose": ..}`.
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        py.import("json")?.call_method1("loads", (self.to_json(),))
+    }
+
+    /// The model of any family in a dictionary, as an object of its kind.
+    #[classmethod]
+    fn from_dict(cls: &Bound<'_, PyType>, document: &Bound<'_, PyAny>) -> PyResult<Py<PyAny>> {
+        let json = cls.py().import("json")?.call_method1("dumps", (document,))?;
+        to_python(cls.py(), any_model_from_json(json.extract()?)?)
+    }
+
+    /// Write the model as JSON, whole or not at all.
+    fn save(&self, path: PathBuf) -> PyResult<()> {
+        let json = self.to_json();
+        Ok(write_whole(path, |writer| writer.write_all(json.as_bytes()))?)
+    }
+
+    /// The model of any family in a JSON file, as an object of its kind.
+    #[classmethod]
+    fn load(cls: &Bound<'_, PyType>, path: PathBuf) -> PyResult<Py<PyAny>> {
+        let bytes = std::fs::read(&path).map_err(|error| {
+            os_error(error.kind(), format!("cannot read {}: {error}", path.display()))
+        })?;
+        to_python(cls.py(), any_model_from_json(&String::from_utf8_lossy(&bytes))?)
+    }
+
+    fn __repr__(&self) -> String {
+        let Model { shape, pose } = &self.0;
+        let translation = pose.translation().as_slice();
+        format!("{shape:?} at {translation:?}, euler_zyz={:?}", pose.euler_zyz())
+    }
+}
