@@ -14,7 +14,7 @@ const CELLS_TO_A_SEGMENT: usize = 3;
 
 pub(super) fn run(args: &MeshArgs) -> Result<u8, CliError> {
     let solid = read_solid(&args.model)?;
-    let Tree::Primitive(primitive) = &solid else {
+    let Tree::Leaf(primitive) = &solid else {
         let cells = CELLS_TO_A_SEGMENT * args.fineness.resolution.segments();
         write_mesh(&args.output, &boundary_mesh(&solid, solid.bounding_box(), cells), None)?;
         return Ok(DONE);

@@ -8,7 +8,7 @@ use super::error::CliError;
 use super::input::read_solid;
 use super::progress::Progress;
 use crate::output::write_whole;
-use crate::ray::{Rendering, Shading, Target, render};
+use crate::ray::{Rendering, Shading, SolidTarget, render};
 use crate::view::{Camera, read_camera_from_world};
 
 /// Unit of a depth image's counts if neither the camera nor the user tells one: a millimetre.
@@ -21,9 +21,8 @@ pub(super) fn run(args: &RenderArgs) -> Result<u8, CliError> {
         Some(pose) => solid.moved(&read_camera_from_world(pose)?),
         None => solid,
     };
-    let bounds = solid_camera.bounding_box();
     let progress = Progress::new("rows", camera.height as usize);
-    let rendering = render(&Target::new(solid_camera, bounds), &camera, || progress.step());
+    let rendering = render(&SolidTarget::new(&solid_camera), &camera, || progress.step());
     progress.end();
     write(args, &rendering, &camera)?;
     Ok(DONE)

@@ -4,12 +4,14 @@ mod hits;
 mod image;
 mod render;
 mod shading;
+mod solid_target;
 mod target;
 
 pub use hits::Ray;
 pub use render::{Rays, Rendering, render};
 pub use shading::{Light, Shading};
-pub use target::{Hit, Target};
+pub use solid_target::SolidTarget;
+pub use target::{Hit, Hittable, Target};
 
 #[cfg(test)]
 mod tests;

@@ -4,8 +4,7 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 
 use super::hits::Ray;
-use super::target::Target;
-use crate::shape::LevelSet;
+use super::target::Hittable;
 use crate::view::{Camera, OrthographicCamera};
 
 /// A camera as its pixels' rays, in its own frame: x to the right, y down, z forward.
@@ -54,8 +53,8 @@ pub struct Rendering {
 
 /// What a camera sees of a solid given in its frame, in parallel; `on_row` is called after every
 /// row.
-pub fn render<S: LevelSet + Sync>(
-    target_camera: &Target<S>,
+pub fn render(
+    target_camera: &(impl Hittable + Sync),
     camera: &(impl Rays + Sync),
     on_row: impl Fn() + Sync,
 ) -> Rendering {
@@ -73,8 +72,8 @@ pub fn render<S: LevelSet + Sync>(
     Rendering { size: [width, height], depths, normals }
 }
 
-fn pixel<S: LevelSet>(
-    target: &Target<S>,
+fn pixel(
+    target: &impl Hittable,
     camera: &impl Rays,
     [column, row]: [u32; 2],
 ) -> (f64, Vector3<f64>) {

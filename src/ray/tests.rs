@@ -138,6 +138,31 @@ fn brute_force_marching_finds_no_hit_that_was_missed() {
 }
 
 #[test]
+fn boxes_around_primitives_change_no_hit() {
+    let at = |x: f64, exponents| {
+        let shape = Shape::from(Superellipsoid::new([0.4, 0.8, 0.5], exponents).unwrap());
+        let deformed = Deformed::new(shape, Chain::new(stages())).unwrap();
+        Tree::from(Primitive { deformed, pose: Pose::new(Default::default(), Vector3::x() * x) })
+    };
+    let [a, b, c] = [at(-0.6, [0.5, 1.0]), at(0.3, [1.0, 1.0]), at(0.5, [0.2, 0.2])];
+    let shared = Tree::Intersection(vec![a.clone(), b.clone()]);
+    let bitten = Tree::Difference(Box::new(c), vec![a, at(3.0, [1.0, 1.0])]);
+    let whole = aim(Tree::Union(vec![shared, bitten, at(1.4, [0.3, 0.3])]));
+    let boxed = SolidTarget::new(whole.solid());
+    let mut hits = 0;
+    for ray in rays(&whole).iter().take(2000) {
+        let [expected, found] = [whole.all_hits(ray), boxed.all_hits(ray)];
+        assert_eq!(expected.len(), found.len(), "{ray:?}");
+        for (expected, found) in expected.iter().zip(&found) {
+            assert!((expected.position - found.position).norm() < 1e-10, "{ray:?}");
+        }
+        assert_eq!(found.first().copied(), boxed.first_hit(ray));
+        hits += found.len();
+    }
+    assert!(hits > 500, "{hits}");
+}
+
+#[test]
 fn hits_of_a_ball_are_the_quadratics() {
     let target = target(Superellipsoid::new([2.0; 3], [1.0; 2]).unwrap(), []);
     let center = Vector3::new(0.2, -0.1, 0.3);

@@ -16,6 +16,12 @@ pub trait LevelSet {
     fn level<S: Scalar>(&self, x: [S; 3]) -> S;
 }
 
+impl<L: LevelSet> LevelSet for &L {
+    fn level<S: Scalar>(&self, x: [S; 3]) -> S {
+        (**self).level(x)
+    }
+}
+
 impl LevelSet for Superellipsoid {
     /// The gauge.
     fn level<S: Scalar>(&self, x: [S; 3]) -> S {

@@ -12,9 +12,9 @@ use crate::shape::{LevelSet, Shape, Solid};
 /// Levels are combined as B81 combines inside-outside functions: the least for a union, the
 /// greatest for an intersection, and for what is taken away the level mirrored at 1.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Tree<S = Shape> {
+pub enum Tree<L = Primitive<Shape>> {
     /// A primitive.
-    Primitive(Box<Primitive<S>>),
+    Leaf(L),
     /// What is in any of the parts.
     Union(Vec<Self>),
     /// What is in all of the parts.
@@ -23,35 +23,42 @@ pub enum Tree<S = Shape> {
     Difference(Box<Self>, Vec<Self>),
 }
 
-impl<S> From<Primitive<S>> for Tree<S> {
+impl<S> From<Primitive<S>> for Tree<Primitive<S>> {
     fn from(primitive: Primitive<S>) -> Self {
-        Self::Primitive(Box::new(primitive))
+        Self::Leaf(primitive)
     }
 }
 
-impl<S: Clone> Tree<S> {
-    /// The solid after a motion.
-    pub fn moved(&self, motion: &Pose) -> Self {
-        let all = |parts: &[Self]| parts.iter().map(|part| part.moved(motion)).collect();
+impl<L> Tree<L> {
+    /// The tree of what a function makes of the leaves.
+    pub fn map<M>(&self, function: &impl Fn(&L) -> M) -> Tree<M> {
+        let all = |parts: &[Self]| parts.iter().map(|part| part.map(function)).collect();
         match self {
-            Self::Primitive(primitive) => {
-                let pose = motion.after(&primitive.pose);
-                Primitive { deformed: primitive.deformed.clone(), pose }.into()
-            }
-            Self::Union(parts) => Self::Union(all(parts)),
-            Self::Intersection(parts) => Self::Intersection(all(parts)),
+            Self::Leaf(leaf) => Tree::Leaf(function(leaf)),
+            Self::Union(parts) => Tree::Union(all(parts)),
+            Self::Intersection(parts) => Tree::Intersection(all(parts)),
             Self::Difference(from, parts) => {
-                Self::Difference(Box::new(from.moved(motion)), all(parts))
+                Tree::Difference(Box::new(from.map(function)), all(parts))
             }
         }
     }
 }
 
-impl<S: Solid + LevelSet> Tree<S> {
+impl<S: Clone> Tree<Primitive<S>> {
+    /// The solid after a motion.
+    pub fn moved(&self, motion: &Pose) -> Self {
+        self.map(&|primitive| Primitive {
+            deformed: primitive.deformed.clone(),
+            pose: motion.after(&primitive.pose),
+        })
+    }
+}
+
+impl<S: Solid + LevelSet> Tree<Primitive<S>> {
     /// Whether a point of the world is inside.
     pub fn contains(&self, x: &Vector3<f64>) -> bool {
         match self {
-            Self::Primitive(primitive) => primitive.contains(x),
+            Self::Leaf(primitive) => primitive.contains(x),
             Self::Union(parts) => parts.iter().any(|part| part.contains(x)),
             Self::Intersection(parts) => parts.iter().all(|part| part.contains(x)),
             Self::Difference(from, parts) => {
@@ -65,7 +72,7 @@ impl<S: Solid + LevelSet> Tree<S> {
     pub fn bounding_box(&self) -> [Vector3<f64>; 2] {
         let infinite = Vector3::from_element(f64::INFINITY);
         match self {
-            Self::Primitive(primitive) => primitive.bounding_box(),
+            Self::Leaf(primitive) => primitive.bounding_box(),
             Self::Union(parts) => {
                 let boxes = parts.iter().map(Self::bounding_box);
                 boxes.fold([infinite, -infinite], |[min, max], [low, high]| {
@@ -83,13 +90,13 @@ impl<S: Solid + LevelSet> Tree<S> {
     }
 }
 
-impl<S: LevelSet> LevelSet for Tree<S> {
+impl<L: LevelSet> LevelSet for Tree<L> {
     fn level<T: Scalar>(&self, x: [T; 3]) -> T {
         let of = |parts: &[Self], choose: fn(T, T) -> T| {
             parts.iter().map(|part| part.level(x)).reduce(choose)
         };
         match self {
-            Self::Primitive(primitive) => primitive.level(x),
+            Self::Leaf(primitive) => primitive.level(x),
             Self::Union(parts) => of(parts, T::min).unwrap_or(T::constant(f64::INFINITY)),
             Self::Intersection(parts) => of(parts, T::max).unwrap_or(T::constant(0.0)),
             Self::Difference(from, parts) => match of(parts, T::min) {

@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use super::primitive::Primitive;
 use super::tree::Tree;
 use crate::math::Interval;
 use crate::shape::{LevelSet, Solid};
@@ -15,7 +16,7 @@ const MOST_HALVINGS: u32 = 27;
 ///
 /// Boxes of which the level's enclosure tells that all or nothing is inside are counted, all
 /// others halved.
-pub fn volume_bounds<S>(solid: &Tree<S>, tolerance: f64) -> [f64; 2]
+pub fn volume_bounds<S>(solid: &Tree<Primitive<S>>, tolerance: f64) -> [f64; 2]
 where
     S: Solid + LevelSet + Sync,
 {

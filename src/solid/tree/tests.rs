@@ -102,9 +102,10 @@ fn a_moved_solid_holds_the_moved_points() {
 
 #[test]
 fn nothing_is_a_solid_too() {
-    for nothing in
-        [Tree::<Shape>::Union(Vec::new()), Tree::Intersection(vec![ball(-3.0), ball(3.0)])]
-    {
+    for nothing in [
+        Tree::<Primitive<Shape>>::Union(Vec::new()),
+        Tree::Intersection(vec![ball(-3.0), ball(3.0)]),
+    ] {
         assert!(!nothing.contains(&Vector3::zeros()));
         assert_eq!(volume_bounds(&nothing, 0.1), [0.0, 0.0]);
         let mesh = boundary_mesh(&nothing, nothing.bounding_box(), 10);
