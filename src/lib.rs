@@ -35,8 +35,9 @@
 //!
 //! # Modules, in the order in which data flows
 //!
-//! [`math`] -> [`shape`] and [`pose`] -> [`model`] -> [`surface`] -> [`raster`], [`compare`]; [`cloud`] and
-//! [`view`] -> [`recover`] -> [`report`] and [`batch`] -> [`output`] and the command line. Nothing below the command line
+//! [`math`] -> [`shape`] and [`pose`] -> [`model`], [`deform`] -> [`solid`] -> [`surface`] -> [`raster`],
+//! [`compare`]; [`cloud`] and [`view`] -> [`recover`], [`ray`] -> [`report`] and [`batch`] -> [`output`] and
+//! the command line. Nothing below the command line
 //! prints or exits.
 
 pub mod batch;
@@ -45,6 +46,7 @@ mod canonical;
 pub mod cli;
 pub mod cloud;
 pub mod compare;
+pub mod deform;
 pub mod error;
 pub mod exchange;
 pub mod math;
@@ -54,8 +56,10 @@ pub mod pose;
 #[cfg(feature = "python")]
 mod python;
 pub mod raster;
+pub mod ray;
 pub mod recover;
 pub mod report;
 pub mod shape;
+pub mod solid;
 pub mod surface;
 pub mod view;

@@ -3,6 +3,7 @@
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use crate::error::ModelError;
+use crate::math::Scalar;
 
 /// Largest departure of `R' R` from the identity that still counts as a rotation: a matrix
 /// written with eight digits passes.
@@ -99,6 +100,12 @@ impl Pose {
         Self::new(rotation, -(rotation * self.translation))
     }
 
+    /// This motion after another one.
+    pub fn after(&self, first: &Self) -> Self {
+        let translation = self.world_from_model(&first.translation);
+        Self::new(self.rotation * first.rotation, translation)
+    }
+
     /// A point of the model's frame, in the world.
     pub fn world_from_model(&self, x_model: &Vector3<f64>) -> Vector3<f64> {
         self.rotation * x_model + self.translation
@@ -108,6 +115,23 @@ impl Pose {
     pub fn model_from_world(&self, x_world: &Vector3<f64>) -> Vector3<f64> {
         self.rotation.inverse_transform_vector(&(x_world - self.translation))
     }
+
+    /// [`world_from_model`](Self::world_from_model) in any numbers.
+    pub(crate) fn world_from_model_of<S: Scalar>(&self, x_model: [S; 3]) -> [S; 3] {
+        let turned = turned(self.rotation.matrix(), x_model);
+        std::array::from_fn(|i| turned[i] + self.translation[i])
+    }
+
+    /// [`model_from_world`](Self::model_from_world) in any numbers.
+    pub(crate) fn model_from_world_of<S: Scalar>(&self, x_world: [S; 3]) -> [S; 3] {
+        let offset = std::array::from_fn(|i| x_world[i] + -self.translation[i]);
+        turned(&self.rotation.matrix().transpose(), offset)
+    }
+}
+
+/// A matrix times a vector in any numbers.
+fn turned<S: Scalar>(matrix: &Matrix3<f64>, x: [S; 3]) -> [S; 3] {
+    std::array::from_fn(|i| x[0] * matrix[(i, 0)] + x[1] * matrix[(i, 1)] + x[2] * matrix[(i, 2)])
 }
 
 /// The rotation nearest to an almost orthonormal matrix.
@@ -192,6 +216,16 @@ mod tests {
         let x_model = Vector3::new(0.1, -0.7, 2.0);
         let back = pose.model_from_world(&pose.world_from_model(&x_model));
         assert!((back - x_model).norm() < 10.0 * TOLERANCE);
+    }
+
+    #[test]
+    fn motions_follow_each_other() {
+        let first = Pose::from_euler_zyz([0.3, 1.2, -2.0], Vector3::new(5.0, -3.0, 0.25));
+        let second = Pose::from_euler_zyz([-1.0, 0.4, 0.7], Vector3::new(0.1, 2.0, -4.0));
+        let x = Vector3::new(0.1, -0.7, 2.0);
+        let expected = second.world_from_model(&first.world_from_model(&x));
+        let found = second.after(&first).world_from_model(&x);
+        assert!((found - expected).norm() < 10.0 * TOLERANCE);
     }
 
     #[test]

@@ -40,7 +40,7 @@ fn run_one(args: &FitArgs, path: &Path) -> Result<u8, CliError> {
 
     if let Some(mesh) = &args.mesh {
         let surface = tessellate(&fit.model.shape, args.resolution).transformed(&fit.model.pose);
-        write_mesh(mesh, &surface, &fit.model.into())?;
+        write_mesh(mesh, &surface, Some(&fit.model.into()))?;
     }
     if let Some(inliers) = &args.inliers {
         write_inliers(inliers, &cloud, &fit.is_inlier)?;

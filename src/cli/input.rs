@@ -7,8 +7,11 @@ use std::path::Path;
 use super::error::CliError;
 use crate::cloud::{self, PointCloud};
 use crate::model::Model;
-use crate::report::{any_model_from_json, model_from_json};
+use crate::report::{
+    DocumentError, any_model_from_json, model_from_json, primitive_from_json, solid_from_json,
+};
 use crate::shape::Shape;
+use crate::solid::{Primitive, Tree};
 use crate::surface::format::MeshFormat;
 
 /// Most bytes that a model's document may have: a fit has less than a thousand.
@@ -35,14 +38,30 @@ pub(super) fn read_cloud(path: &Path) -> Result<PointCloud, CliError> {
 
 /// The superellipsoid in a JSON file or on stdin.
 pub(super) fn read_model(path: &Path) -> Result<Model, CliError> {
-    let text = read_text(path, MODEL_BYTES)?;
-    model_from_json(&text).map_err(|source| CliError::Document { name: name(path), source })
+    read_document(path, model_from_json)
 }
 
 /// The model of any family in a JSON file or on stdin.
 pub(super) fn read_any_model(path: &Path) -> Result<Model<Shape>, CliError> {
+    read_document(path, any_model_from_json)
+}
+
+/// The model of any family in a JSON file or on stdin, with its deformations.
+pub(super) fn read_primitive(path: &Path) -> Result<Primitive<Shape>, CliError> {
+    read_document(path, primitive_from_json)
+}
+
+/// The solid in a JSON file or on stdin.
+pub(super) fn read_solid(path: &Path) -> Result<Tree, CliError> {
+    read_document(path, solid_from_json)
+}
+
+fn read_document<T>(
+    path: &Path,
+    parse: impl Fn(&str) -> Result<T, DocumentError>,
+) -> Result<T, CliError> {
     let text = read_text(path, MODEL_BYTES)?;
-    any_model_from_json(&text).map_err(|source| CliError::Document { name: name(path), source })
+    parse(&text).map_err(|source| CliError::Document { name: name(path), source })
 }
 
 /// The model that a mesh file keeps, in the format of its extension.

@@ -1,14 +1,26 @@
-//! `superquadric mesh`: a model in, a mesh file out.
+//! `superquadric mesh`: a model or a solid in, a mesh file out.
 
 use super::DONE;
 use super::args::MeshArgs;
 use super::error::CliError;
-use super::input::read_any_model;
+use super::input::read_solid;
 use super::output::write_mesh;
+use crate::solid::Tree;
+use crate::surface::{boundary_mesh, deformed_mesh};
+
+/// Cells along the longest side of a solid to a segment of a model's lattice: both then resolve
+/// about the same.
+const CELLS_TO_A_SEGMENT: usize = 3;
 
 pub(super) fn run(args: &MeshArgs) -> Result<u8, CliError> {
-    let model = read_any_model(&args.model)?;
-    let mesh = args.fineness.mesh(&model.shape)?.transformed(&model.pose);
-    write_mesh(&args.output, &mesh, &model)?;
+    let solid = read_solid(&args.model)?;
+    let Tree::Leaf(primitive) = &solid else {
+        let cells = CELLS_TO_A_SEGMENT * args.fineness.resolution.segments();
+        write_mesh(&args.output, &boundary_mesh(&solid, solid.bounding_box(), cells), None)?;
+        return Ok(DONE);
+    };
+    let mesh = args.fineness.mesh(primitive.deformed.shape())?;
+    let mesh = deformed_mesh(&primitive.deformed, &mesh).transformed(&primitive.pose);
+    write_mesh(&args.output, &mesh, primitive.undeformed().as_ref())?;
     Ok(DONE)
 }

@@ -16,6 +16,7 @@ mod mesh;
 mod output;
 mod overlay;
 mod progress;
+mod render;
 mod scene;
 mod threads;
 
@@ -53,6 +54,7 @@ fn run(command: Command) -> Result<u8, CliError> {
         Command::Info(args) => info::run(&args),
         Command::Contour(args) => contour::run(&args),
         Command::Overlay(args) => overlay::run(&args),
+        Command::Render(args) => render::run(&args),
         Command::Export(args) => export::run(&args),
         Command::Import(args) => import::run(&args),
         Command::Batch(args) => batch::run(&args),

@@ -35,8 +35,13 @@ pub(super) fn write_inliers(
     Ok(write_whole(path, |writer| cloud::write_inliers(cloud, is_inlier, writer))?)
 }
 
-/// Writes a mesh in the format of the file's extension, and the model whose surface it is with it.
-pub(super) fn write_mesh(path: &Path, mesh: &Mesh, model: &Model<Shape>) -> Result<(), CliError> {
+/// Writes a mesh in the format of the file's extension, and with it the plain model whose surface
+/// it is, if there is one.
+pub(super) fn write_mesh(
+    path: &Path,
+    mesh: &Mesh,
+    model: Option<&Model<Shape>>,
+) -> Result<(), CliError> {
     let format = MeshFormat::from_extension(path)?;
-    Ok(write_whole(path, |writer| format.write(mesh, Some(model), writer))?)
+    Ok(write_whole(path, |writer| format.write(mesh, model, writer))?)
 }

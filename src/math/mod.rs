@@ -1,20 +1,32 @@
-//! Special functions and elementary helpers; no geometry.
+//! Special functions, intervals and elementary helpers; no geometry.
 
 mod beta;
+mod dual;
 pub(crate) mod elementary;
 pub(crate) mod elementary32;
 mod gamma_variate;
+mod gauss_kronrod;
 mod instruction_set;
+mod interval;
 mod maximum;
 mod quadrature;
 mod root;
+mod scalar;
 mod signed_power;
+mod superellipse_norm;
+mod univariate;
 pub(crate) mod vectorized;
 
 pub use beta::beta;
+pub use dual::Dual;
 pub(crate) use gamma_variate::GammaVariate;
+pub use gauss_kronrod::{VectorIntegral, integrate};
 pub use instruction_set::{InstructionSet, InstructionSetError, instruction_set};
+pub use interval::Interval;
 pub(crate) use maximum::maximum;
 pub(crate) use quadrature::integral_in_pieces;
 pub(crate) use root::increasing_root;
+pub use scalar::Scalar;
 pub use signed_power::signed_power;
+pub(crate) use superellipse_norm::superellipse_norm;
+pub use univariate::Univariate;

@@ -1,12 +1,17 @@
 //! Documents for machines (JSON) and tables for people.
 
+mod deformation_document;
 mod document;
 mod info;
 mod model_document;
+mod primitive_document;
 mod shape_document;
+mod solid_document;
 mod table;
 
 pub use document::{FIT_SCHEMA, FitDocument};
 pub use info::InfoDocument;
 pub use model_document::{DocumentError, ModelDocument, any_model_from_json, model_from_json};
-pub use table::{fit_line, fit_table, model_table};
+pub use primitive_document::{PrimitiveInfoDocument, primitive_from_json};
+pub use solid_document::solid_from_json;
+pub use table::{fit_line, fit_table, model_table, primitive_table};

@@ -4,8 +4,10 @@ use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use super::deformation_document::DeformationDocument;
 use super::document::{FIT_SCHEMA, to_json};
 use super::shape_document::ShapeDocument;
+use crate::deform::DeformError;
 use crate::error::ModelError;
 use crate::model::Model;
 use crate::pose::Pose;
@@ -33,22 +35,42 @@ pub enum DocumentError {
     /// Parameters outside their domain.
     #[error(transparent)]
     Parameters(#[from] ModelError),
+    /// Deformations outside their domain, or that fold the shape.
+    #[error(transparent)]
+    Deformation(#[from] DeformError),
+    /// A deformation with two frames.
+    #[error("a deformation has a frame or an axis, not both")]
+    TwoFrames,
+    /// A deformed model where a plain one is needed.
+    #[error("expected a model without deformations")]
+    Deformed,
+    /// A deformed model whose masses are not known.
+    #[error("the masses of deformed models are told of superellipsoids only, found \"{0}\"")]
+    DeformedFamily(&'static str),
+    /// A union, intersection or difference of nothing.
+    #[error("expected a list of at least one solid after union, intersection or difference")]
+    Parts,
+    /// A profile that no document can describe.
+    #[error("a profile that is neither line, polyline nor spline has no JSON form")]
+    Function,
     /// Euler angles and rotation matrix that contradict each other.
     #[error("pose.euler_zyz and pose.rotation differ by {0:e}")]
     Contradiction(f64),
 }
 
-/// A model: `{"shape": {..}, "pose": {..}}`.
+/// A model: `{"shape": {..}, "deformations": [..], "pose": {..}}`, the latter two if need be.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ModelDocument {
     shape: ShapeDocument,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) deformations: Vec<DeformationDocument>,
     #[serde(default)]
     pose: PoseDocument,
 }
 
 /// Either form of the rotation will do; without both there is none.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-struct PoseDocument {
+pub(super) struct PoseDocument {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     euler_zyz: Option<[f64; 3]>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -59,13 +81,16 @@ struct PoseDocument {
 
 impl<S: Copy + Into<Shape>> From<&Model<S>> for ModelDocument {
     fn from(Model { shape, pose }: &Model<S>) -> Self {
+        Self { shape: (*shape).into().into(), deformations: Vec::new(), pose: pose.into() }
+    }
+}
+
+impl From<&Pose> for PoseDocument {
+    fn from(pose: &Pose) -> Self {
         Self {
-            shape: (*shape).into().into(),
-            pose: PoseDocument {
-                euler_zyz: Some(pose.euler_zyz()),
-                rotation: Some(rows(pose.rotation().matrix())),
-                translation: (*pose.translation()).into(),
-            },
+            euler_zyz: Some(pose.euler_zyz()),
+            rotation: Some(rows(pose.rotation().matrix())),
+            translation: (*pose.translation()).into(),
         }
     }
 }
@@ -74,6 +99,11 @@ impl ModelDocument {
     /// Indented JSON with a final newline.
     pub fn to_json(&self) -> String {
         to_json(self)
+    }
+
+    /// The model before its deformations.
+    pub(super) fn undeformed(&self) -> Result<Model<Shape>, DocumentError> {
+        Ok(Model { shape: (&self.shape).try_into()?, pose: self.pose.to_pose()? })
     }
 }
 
@@ -86,7 +116,10 @@ impl TryFrom<&ModelDocument> for Model<Shape> {
     type Error = DocumentError;
 
     fn try_from(document: &ModelDocument) -> Result<Self, DocumentError> {
-        Ok(Self { shape: (&document.shape).try_into()?, pose: document.pose.to_pose()? })
+        if document.deformations.is_empty() {
+            return document.undeformed();
+        }
+        Err(DocumentError::Deformed)
     }
 }
 
@@ -103,7 +136,7 @@ impl TryFrom<&ModelDocument> for Model {
 }
 
 impl PoseDocument {
-    fn to_pose(&self) -> Result<Pose, DocumentError> {
+    pub fn to_pose(&self) -> Result<Pose, DocumentError> {
         let translation = Vector3::from(self.translation);
         let of_angles = self.euler_zyz.map(|angles| Pose::from_euler_zyz(angles, translation));
         let Some(rows) = self.rotation else {
@@ -126,8 +159,8 @@ impl PoseDocument {
 /// The superellipsoid in a JSON text: a bare model, or that of a fit.
 ///
 /// # Errors
-/// If the text is not JSON, lacks a key, has parameters outside their domain, or is of another
-/// family.
+/// If the text is not JSON, lacks a key, has parameters outside their domain, is of another
+/// family, or has deformations.
 pub fn model_from_json(text: &str) -> Result<Model, DocumentError> {
     (&document_from_json(text)?).try_into()
 }
@@ -140,12 +173,17 @@ pub fn any_model_from_json(text: &str) -> Result<Model<Shape>, DocumentError> {
     (&document_from_json(text)?).try_into()
 }
 
-fn document_from_json(text: &str) -> Result<ModelDocument, DocumentError> {
-    let value: serde_json::Value = serde_json::from_str(text)?;
+/// The document of a model in a JSON text: a bare one, or that of a fit.
+pub(super) fn document_from_json(text: &str) -> Result<ModelDocument, DocumentError> {
+    document_of(&serde_json::from_str(text)?)
+}
+
+/// The document of a model in JSON: a bare one, or that of a fit.
+pub(super) fn document_of(value: &serde_json::Value) -> Result<ModelDocument, DocumentError> {
     if let Some(schema) = value.get("schema").filter(|schema| *schema != FIT_SCHEMA) {
         return Err(DocumentError::Schema(schema.to_string()));
     }
-    let model = value.get("model").unwrap_or(&value).clone();
+    let model = value.get("model").unwrap_or(value).clone();
     serde_json::from_value(model).map_err(DocumentError::Model)
 }
 

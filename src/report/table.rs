@@ -2,9 +2,12 @@
 
 use std::fmt::Write;
 
+use super::model_document::DocumentError;
+use super::primitive_document::masses;
 use crate::model::Model;
 use crate::recover::Fit;
 use crate::shape::{Shape, Solid};
+use crate::solid::Primitive;
 
 /// Digits to which a person wants to read a parameter.
 const DIGITS: usize = 6;
@@ -89,6 +92,30 @@ pub fn model_table(model: &Model<Shape>) -> String {
     line(&mut table, "box min", &vector(min.as_slice(), DIGITS));
     line(&mut table, "box max", &vector(max.as_slice(), DIGITS));
     table
+}
+
+/// What is known of a deformed model, in a few lines.
+///
+/// # Errors
+/// If the shape is no superellipsoid.
+pub fn primitive_table(primitive: &Primitive<Shape>) -> Result<String, DocumentError> {
+    let Primitive { deformed, pose } = primitive;
+    let mut table = parameters(&Model { shape: *deformed.shape(), pose: *pose });
+    for stage in deformed.chain().stages() {
+        line(&mut table, "then", stage.kind().name());
+    }
+    let estimate = masses(primitive)?;
+    let [min, max] = primitive.bounding_box();
+    let inertia = estimate.properties.inertia();
+    line(&mut table, "volume", &number(estimate.properties.volume(), DIGITS));
+    line(&mut table, "area", &number(estimate.surface_area, DIGITS));
+    for (name, row) in ["inertia", "", ""].iter().zip(inertia.row_iter()) {
+        line(&mut table, name, &vector(row.transpose().as_slice(), DIGITS));
+    }
+    line(&mut table, "mass error", &format!("{:.0e} at most", estimate.error));
+    line(&mut table, "box min", &vector(min.as_slice(), DIGITS));
+    line(&mut table, "box max", &vector(max.as_slice(), DIGITS));
+    Ok(table)
 }
 
 fn parameters(model: &Model<Shape>) -> String {

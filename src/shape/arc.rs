@@ -38,9 +38,15 @@ pub(crate) fn quarter_point(e: f64, v: f64) -> [f64; 2] {
 
 /// The nodes of a quarter of the unit superellipse. Domain: `e > 0`.
 pub(crate) fn arc_nodes(e: f64) -> impl Iterator<Item = ArcNode> + Clone {
+    arc_rule(e, HALF_NODES)
+}
+
+/// So many nodes on either side of the diagonal, and the diagonal; every other of them, with
+/// twice the weight, is the rule of half as many. Domain: `e > 0`.
+pub(crate) fn arc_rule(e: f64, half_nodes: i32) -> impl Iterator<Item = ArcNode> + Clone {
     let spread = 0.5 * e;
-    let step = greatest_arc_parameter(e) / f64::from(HALF_NODES);
-    (-HALF_NODES..=HALF_NODES).map(move |i| {
+    let step = greatest_arc_parameter(e) / f64::from(half_nodes);
+    (-half_nodes..=half_nodes).map(move |i| {
         let v = step * f64::from(i);
         let power = v.sinh(); // ln of (y/x)^(2/e)
         let (log_x, log_y) = (-log_sum(power), -log_sum(-power));

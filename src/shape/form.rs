@@ -103,7 +103,7 @@ impl BarrForm {
 /// `rho` of magnitudes u and v; with a minus it is odd in their exchange.
 pub(crate) fn equator_norm(u: f64, v: f64, e: f64, sigma: f64) -> f64 {
     if sigma > 0.0 {
-        return super::gauge::superellipse_norm(u, v, e);
+        return crate::math::superellipse_norm(u, v, e);
     }
     if v > u { -hyperbola_norm(v, u, e) } else { hyperbola_norm(u, v, e) }
 }

@@ -12,18 +12,6 @@ pub(crate) const TINY: f64 = 1e-100;
 /// beside one.
 pub(crate) const LOG_FLOOR: f64 = -690.0;
 
-/// The norm `p(u, v; e) = (u^(2/e) + v^(2/e))^(e/2)` of two magnitudes, without overflow.
-///
-/// Domain: `u, v >= 0`; `e >= 0`, where `e = 0` is the limit `max(u, v)`.
-pub(crate) fn superellipse_norm(u: f64, v: f64, e: f64) -> f64 {
-    let (greatest, least) = if u >= v { (u, v) } else { (v, u) };
-    if least == 0.0 || e == 0.0 {
-        return greatest;
-    }
-    let power = (2.0 / e * (least / greatest).ln()).exp();
-    greatest * (0.5 * e * power.ln_1p()).exp()
-}
-
 /// The gauge at a point, and what its derivatives are made of.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GaugeTerms {

@@ -22,6 +22,12 @@ impl MassProperties {
         Self { volume, centroid: Vector3::zeros(), second_moments }
     }
 
+    /// Of a solid by its volume and the integrals of `x` and of `x x'` over it.
+    pub(crate) fn of_integrals(volume: f64, first: Vector3<f64>, second: Matrix3<f64>) -> Self {
+        let centroid = first / volume;
+        Self { volume, centroid, second_moments: second - first * centroid.transpose() }
+    }
+
     /// The integral of 1 over the solid.
     pub fn volume(&self) -> f64 {
         self.volume
@@ -47,6 +53,11 @@ impl MassProperties {
     pub fn inertia_about(&self, point: &Vector3<f64>) -> Matrix3<f64> {
         let offset = self.centroid - point;
         inertia_of(&(self.second_moments + offset * offset.transpose() * self.volume))
+    }
+
+    /// The same solid, moved by an offset.
+    pub(crate) fn moved(&self, offset: &Vector3<f64>) -> Self {
+        Self { centroid: self.centroid + offset, ..*self }
     }
 
     /// The same solid moved: from the model's frame to the world.

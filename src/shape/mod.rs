@@ -1,12 +1,13 @@
 //! Shapes in their own frame, a file or folder a family.
 
-mod arc;
+pub(crate) mod arc;
 mod curvature;
 mod curve;
 mod family;
 mod form;
 mod gauge;
 mod lame;
+mod level_set;
 mod mass;
 mod one_sheet;
 mod parametric;
@@ -19,12 +20,14 @@ mod supertoroid;
 mod three_exponent;
 mod two_sheets;
 
+pub(crate) use crate::math::superellipse_norm;
 pub(crate) use arc::{greatest_arc_parameter, quarter_point};
 pub use curvature::{Curvatures, FundamentalForms};
 pub use curve::{Curve, CurvePoint};
 pub use family::Shape;
-pub(crate) use gauge::{GaugeTerms, LOG_FLOOR, TINY, superellipse_norm};
+pub(crate) use gauge::{GaugeTerms, LOG_FLOOR, TINY};
 pub use lame::{LameArc, LameCurve};
+pub use level_set::LevelSet;
 pub use mass::MassProperties;
 pub use one_sheet::SuperhyperboloidOneSheet;
 pub use parametric::Parametric;
@@ -32,6 +35,7 @@ pub use solid::Solid;
 pub use spherical_product::SphericalProduct;
 pub use superellipse::Superellipse;
 pub use superellipsoid::Superellipsoid;
+pub(crate) use superellipsoid::area_element;
 pub use superhyperbola::Superhyperbola;
 pub use supertoroid::Supertoroid;
 pub use three_exponent::ThreeExponent;

@@ -7,7 +7,6 @@ use std::f64::consts::PI;
 use nalgebra::{Matrix3, Vector3};
 
 use super::form::{BarrForm, hyperbola_norm};
-use super::gauge::superellipse_norm;
 use super::mass::MassProperties;
 use super::parametric::{Parametric, direction};
 use super::solid::Solid;
@@ -16,6 +15,7 @@ use super::superellipse::Superellipse;
 use super::superhyperbola::Superhyperbola;
 use crate::error::ModelError;
 use crate::math::signed_power;
+use crate::math::superellipse_norm;
 
 /// The solid `((x/a1)^(2/e2) + (y/a2)^(2/e2))^(e2/e1) - (z/a3)^(2/e1) <= 1` (JLS Eq. 2.21) between
 /// the planes `z = -clip` and `z = clip`: a tower with a waist.

@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use nalgebra::Vector2;
 
 use super::curve::{Curve, CurvePoint, Jet};
-use super::gauge::superellipse_norm;
 use crate::error::ModelError;
+use crate::math::superellipse_norm;
 use crate::math::{beta, signed_power};
 
 /// The plane figure `|x/a|^(2/e) + |y/b|^(2/e) <= 1` (JLS Eq. 2.4) with semi-axes a, b in the

@@ -6,10 +6,12 @@ mod solid;
 
 use nalgebra::Vector3;
 
-use super::gauge::{GaugeTerms, superellipse_norm};
+pub(crate) use mass::area_element;
+
+use super::gauge::GaugeTerms;
 use super::parametric::direction;
 use crate::error::ModelError;
-use crate::math::signed_power;
+use crate::math::{signed_power, superellipse_norm};
 
 /// The solid `((x/a1)^(2/e2) + (y/a2)^(2/e2))^(e2/e1) + (z/a3)^(2/e1) <= 1` (JLS Eq. 2.15).
 ///

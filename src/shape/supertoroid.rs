@@ -8,7 +8,6 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::curve::{Curve, CurvePoint};
 use super::form::BarrForm;
-use super::gauge::superellipse_norm;
 use super::mass::MassProperties;
 use super::parametric::{Parametric, direction};
 use super::solid::Solid;
@@ -17,6 +16,7 @@ use super::superellipse::Superellipse;
 use super::superellipsoid::Superellipsoid;
 use crate::error::ModelError;
 use crate::math::signed_power;
+use crate::math::superellipse_norm;
 
 /// The solid `|((x/a1)^(2/e2) + (y/a2)^(2/e2))^(e2/2) - a4|^(2/e1) + (z/a3)^(2/e1) <= 1` (JLS Eq.
 /// 2.27): a tube around a ring.

@@ -6,13 +6,13 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::curve::sign;
 use super::form::{BarrForm, equator_norm, hyperbola_norm};
-use super::gauge::superellipse_norm;
 use super::mass::MassProperties;
 use super::parametric::{Parametric, direction};
 use super::solid::Solid;
 use super::spherical_product::SphericalProduct;
 use super::superhyperbola::Superhyperbola;
 use crate::error::ModelError;
+use crate::math::superellipse_norm;
 use crate::math::{maximum, signed_power};
 
 /// The two bodies `((x/a1)^(2/e2) - (y/a2)^(2/e2))^(e2/e1) - (z/a3)^(2/e1) >= 1` with `|x| <=

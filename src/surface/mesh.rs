@@ -68,7 +68,12 @@ impl Mesh {
 
     /// The mesh moved from the model's frame to the world.
     pub fn transformed(&self, pose: &Pose) -> Self {
-        let vertices = self.vertices.iter().map(|x| pose.world_from_model(x)).collect();
+        self.mapped(|x| pose.world_from_model(x))
+    }
+
+    /// The mesh after a map that keeps sides: one of positive determinant.
+    pub(crate) fn mapped(&self, map: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> Self {
+        let vertices = self.vertices.iter().map(map).collect();
         Self { vertices, triangles: self.triangles.clone() }
     }
 }

@@ -1,5 +1,7 @@
 //! Surfaces as triangles and as points.
 
+mod boundary;
+mod deformed;
 mod deviation;
 mod families;
 pub mod format;
@@ -12,6 +14,8 @@ mod subdivision;
 mod tessellate;
 mod tolerance;
 
+pub use boundary::boundary_mesh;
+pub use deformed::{deformed_mesh, sample_deformed_surface, tessellate_deformed};
 pub use families::tessellate_shape;
 pub use mesh::Mesh;
 pub use parameterization::Parameterization;

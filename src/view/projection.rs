@@ -102,7 +102,5 @@ impl Projection for OrthographicCamera {
 
 /// A model of the world in the frame of a camera.
 pub fn model_in_camera(camera_from_world: &Pose, model: &Model) -> Model {
-    let rotation = camera_from_world.rotation() * model.pose.rotation();
-    let translation = camera_from_world.world_from_model(model.pose.translation());
-    Model { shape: model.shape, pose: Pose::new(rotation, translation) }
+    Model { shape: model.shape, pose: camera_from_world.after(&model.pose) }
 }

@@ -10,10 +10,12 @@ use crate::surface::{Mesh, MeshMethod, Resolution, tessellate_shape, tessellate_
 /// How fine a mesh is to be.
 #[derive(Debug, clap::Args)]
 pub(in crate::cli) struct FinenessArgs {
-    /// Segments along each edge of the mesh's lattice (even).
+    /// Segments along each edge of the mesh's lattice (even); of a solid, a third of the cells
+    /// along its longest side.
     #[arg(long, value_name = "N", default_value = "32", value_parser = resolution)]
     pub resolution: Resolution,
-    /// Instead, the greatest distance of mesh and surface, in the model's unit.
+    /// Instead, the greatest distance of mesh and surface, in the model's unit, before
+    /// deformations.
     #[arg(long, value_name = "LENGTH", value_parser = positive, conflicts_with = "resolution")]
     pub tolerance: Option<f64>,
     /// How a mesh within a tolerance comes about.

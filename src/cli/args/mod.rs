@@ -15,7 +15,7 @@ pub(super) use exchange::{ExportArgs, ImportArgs};
 pub(super) use fit::FitArgs;
 pub(super) use mesh::FinenessArgs;
 pub(super) use sensor::{SensorArgs, SupportArg};
-pub(super) use view::{ContourArgs, OverlayArgs, ViewArgs};
+pub(super) use view::{ContourArgs, OverlayArgs, RenderArgs, ViewArgs};
 
 use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
@@ -39,6 +39,7 @@ Examples:
   superquadric info fit.json
   superquadric contour fit.json --camera camera.json -o outline.svg
   superquadric overlay fit.json --camera camera.json --image photo.png -o overlay.png
+  superquadric render fit.json --camera camera.json --shaded picture.png
   superquadric export fit.json --to lammps -o particle.data
   superquadric import particle.data --from lammps -o model.json
 
@@ -61,6 +62,7 @@ pub(super) enum Command {
     Info(InfoArgs),
     Contour(ContourArgs),
     Overlay(OverlayArgs),
+    Render(RenderArgs),
     Export(ExportArgs),
     Import(ImportArgs),
     Batch(BatchArgs),
@@ -90,7 +92,7 @@ impl SearchArgs {
     }
 }
 
-/// Write a mesh of a model's surface, with the model's parameters in the file.
+/// Write a mesh of the surface of a model, with its parameters in the file, or of a solid.
 #[derive(Debug, clap::Args)]
 pub(super) struct MeshArgs {
     /// A fit or a bare model in JSON; - is stdin.

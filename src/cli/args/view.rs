@@ -60,3 +60,27 @@ pub(in crate::cli) struct OverlayArgs {
     #[arg(short, long, value_name = "OUT.png")]
     pub output: PathBuf,
 }
+
+/// Cast rays at a model or a solid: depths, normals, a shaded picture.
+///
+/// A solid is a model, or {"union": [..]}, {"intersection": [..]} or {"difference": [..]} of solids;
+/// models may be deformed.
+#[derive(Debug, clap::Args)]
+#[command(group = clap::ArgGroup::new("outputs").required(true).multiple(true))]
+pub(in crate::cli) struct RenderArgs {
+    #[command(flatten)]
+    pub view: ViewArgs,
+    /// Depths to write, z in the camera's frame and 0 where nothing is hit: .npy, or PNG of 16
+    /// bits.
+    #[arg(long, value_name = "DEPTH", group = "outputs")]
+    pub depth: Option<PathBuf>,
+    /// Unit of the counts of a depth PNG [default: depth_units_m of the camera, or 0.001].
+    #[arg(long, value_name = "UNIT", requires = "depth", value_parser = positive)]
+    pub depth_unit: Option<f64>,
+    /// Normals to write: PNG, x, y and z of the camera's frame as red, green and blue.
+    #[arg(long, value_name = "N.png", group = "outputs")]
+    pub normals: Option<PathBuf>,
+    /// Picture to write, lit by three lights: PNG.
+    #[arg(long, value_name = "S.png", group = "outputs")]
+    pub shaded: Option<PathBuf>,
+}

@@ -1,5 +1,7 @@
 //! Volume, inertia and surface area of the superellipsoid (JLS sections 2.4.5 and 2.4.7).
 
+use nalgebra::Vector3;
+
 use super::Superellipsoid;
 use crate::math::beta;
 use crate::shape::arc::{ArcNode, arc_nodes};
@@ -36,32 +38,36 @@ impl Superellipsoid {
         let [e1, e2] = self.exponents;
         let equator: Vec<ArcNode> = arc_nodes(e2).collect();
         let strip = |meridian: ArcNode| {
-            let sum: f64 = equator.iter().map(|node| area_element(&faces, &meridian, node)).sum();
-            meridian.weight * sum
+            equator.iter().map(|node| area_element(&faces, &meridian, node).norm()).sum::<f64>()
         };
         8.0 * unit * unit * arc_nodes(e1).map(strip).sum::<f64>()
     }
 }
 
-/// `|r_eta x r_omega|` (JLS Eq. 2.36) in the logarithms of the slopes of both superellipses,
-/// times the equator's weight.
-fn area_element(faces: &[f64; 3], meridian: &ArcNode, equator: &ArcNode) -> f64 {
+/// `r_eta x r_omega` (JLS Eq. 2.36) of the octant of positive coordinates, outwards, in the
+/// logarithms of the slopes of both superellipses, times both weights.
+///
+/// `faces` are the products of two semi-axes each.
+pub(crate) fn area_element(
+    faces: &[f64; 3],
+    meridian: &ArcNode,
+    equator: &ArcNode,
+) -> Vector3<f64> {
     let ([radius, height], [radial, axial]) = (meridian.point, meridian.shares);
     let ([x, y], [share_x, share_y]) = (equator.point, equator.shares);
     let upright = height * radius * radial;
-    let projections = [
+    let projections = Vector3::new(
         faces[0] * upright * y * share_x,
         faces[1] * upright * x * share_y,
         faces[2] * radius * radius * axial * x * y,
-    ];
-    equator.weight * projections.iter().map(|p| p * p).sum::<f64>().sqrt()
+    );
+    meridian.weight * equator.weight * projections
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::surface::{Resolution, sample_solid, tessellate};
-    use nalgebra::Vector3;
     use std::f64::consts::PI;
 
     const EXPONENTS: [f64; 6] = [0.05, 0.1, 0.5, 1.0, 1.5, 2.0];

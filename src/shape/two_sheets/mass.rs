@@ -2,7 +2,7 @@
 
 use super::SuperhyperboloidTwoSheets;
 use crate::math::integral_in_pieces;
-use crate::shape::gauge::superellipse_norm;
+use crate::math::superellipse_norm;
 use crate::shape::mass::MassProperties;
 
 impl SuperhyperboloidTwoSheets {

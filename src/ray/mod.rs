@@ -1,0 +1,17 @@
+//! Rays through any solid: where they meet its surface, and what a camera sees of it.
+
+mod hits;
+mod image;
+mod render;
+mod shading;
+mod solid_target;
+mod target;
+
+pub use hits::Ray;
+pub use render::{Rays, Rendering, render};
+pub use shading::{Light, Shading};
+pub use solid_target::SolidTarget;
+pub use target::{Hit, Hittable, Target};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,83 @@
+//! What a camera sees of a solid: depths and normals.
+
+use nalgebra::Vector3;
+use rayon::prelude::*;
+
+use super::hits::Ray;
+use super::target::Hittable;
+use crate::view::{Camera, OrthographicCamera};
+
+/// A camera as its pixels' rays, in its own frame: x to the right, y down, z forward.
+pub trait Rays {
+    /// The ray of a pixel, along which z grows by 1 with t; none where no light comes through.
+    fn ray(&self, column: f64, row: f64) -> Option<Ray>;
+
+    /// Columns and rows.
+    fn size(&self) -> [u32; 2];
+}
+
+impl Rays for Camera {
+    fn ray(&self, column: f64, row: f64) -> Option<Ray> {
+        let direction = Camera::ray(self, column, row)?.into();
+        Some(Ray { origin: Vector3::zeros(), direction })
+    }
+
+    fn size(&self) -> [u32; 2] {
+        [self.width, self.height]
+    }
+}
+
+impl Rays for OrthographicCamera {
+    /// From the plane `z = 0` on.
+    fn ray(&self, column: f64, row: f64) -> Option<Ray> {
+        let x = (column - self.origin[0]) / self.scale[0];
+        let y = (row - self.origin[1]) / self.scale[1];
+        Some(Ray { origin: Vector3::new(x, y, 0.0), direction: Vector3::z() })
+    }
+
+    fn size(&self) -> [u32; 2] {
+        [self.width, self.height]
+    }
+}
+
+/// Depths and normals, row by row.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rendering {
+    /// Columns and rows.
+    pub size: [u32; 2],
+    /// z in the camera's frame at the first hit of a pixel's ray; 0 where nothing is hit.
+    pub depths: Vec<f64>,
+    /// Outward unit normals there in the camera's frame; 0 where nothing is hit.
+    pub normals: Vec<Vector3<f64>>,
+}
+
+/// What a camera sees of a solid given in its frame, in parallel; `on_row` is called after every
+/// row.
+pub fn render(
+    target_camera: &(impl Hittable + Sync),
+    camera: &(impl Rays + Sync),
+    on_row: impl Fn() + Sync,
+) -> Rendering {
+    let [width, height] = camera.size();
+    let rows: Vec<Vec<(f64, Vector3<f64>)>> = (0..height)
+        .into_par_iter()
+        .map(|row| {
+            let pixels = (0..width).map(|column| pixel(target_camera, camera, [column, row]));
+            let pixels = pixels.collect();
+            on_row();
+            pixels
+        })
+        .collect();
+    let (depths, normals) = rows.into_iter().flatten().unzip();
+    Rendering { size: [width, height], depths, normals }
+}
+
+fn pixel(
+    target: &impl Hittable,
+    camera: &impl Rays,
+    [column, row]: [u32; 2],
+) -> (f64, Vector3<f64>) {
+    let ray = camera.ray(f64::from(column), f64::from(row));
+    let hit = ray.and_then(|ray| target.first_hit(&ray));
+    hit.map_or((0.0, Vector3::zeros()), |hit| (hit.position.z, hit.normal))
+}

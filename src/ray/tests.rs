@@ -1,0 +1,228 @@
+//! Rays against every family, deformed shapes and solids.
+
+use nalgebra::Vector3;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use rayon::prelude::*;
+
+use super::*;
+use crate::deform::{Bend, Chain, Deformation, Deformed, Line, Taper, Twist};
+use crate::pose::Pose;
+use crate::shape::{
+    Shape, Superellipsoid, SuperhyperboloidOneSheet, SuperhyperboloidTwoSheets, Supertoroid,
+    ThreeExponent,
+};
+use crate::solid::{Primitive, Tree};
+use crate::view::{Camera, OrthographicCamera};
+
+/// Rays that a shape is tried with.
+const RAYS: usize = 10_000;
+
+/// Steps of the brute-force march along a ray.
+const STEPS: usize = 150;
+
+type Aim = Target<Tree>;
+
+fn target(shape: impl Into<Shape>, stages: impl IntoIterator<Item = Deformation>) -> Aim {
+    let deformed = Deformed::new(shape.into(), Chain::new(stages)).unwrap();
+    let pose = Pose::from_euler_zyz([0.3, 0.8, -0.4], Vector3::new(0.2, -0.1, 0.3));
+    aim(Primitive { deformed, pose }.into())
+}
+
+fn aim(solid: Tree) -> Aim {
+    let bounds = solid.bounding_box();
+    Target::new(solid, bounds)
+}
+
+fn stages() -> [Deformation; 3] {
+    let line = |at_zero, slope| Line::new(at_zero, slope).unwrap();
+    [
+        Deformation::new(Taper::new(line(1.0, -0.4))),
+        Deformation::new(Twist::new(line(0.0, 1.2))),
+        Deformation::new(Bend::new(0.6, 0.0, [-0.8, 0.8]).unwrap()),
+    ]
+}
+
+/// Two balls, one bitten off the other.
+fn bite() -> Aim {
+    let ball = |x: f64| {
+        let shape = Shape::from(Superellipsoid::new([1.0; 3], [1.0; 2]).unwrap());
+        let deformed = Deformed::new(shape, Chain::default()).unwrap();
+        Tree::from(Primitive { deformed, pose: Pose::new(Default::default(), Vector3::x() * x) })
+    };
+    aim(Tree::Difference(Box::new(ball(0.0)), vec![ball(0.9)]))
+}
+
+fn targets() -> Vec<Aim> {
+    let size = [1.0, 1.4, 0.3];
+    let of = |exponents| Superellipsoid::new(size, exponents).unwrap();
+    let mut targets: Vec<Aim> =
+        [[0.1, 0.1], [1.0, 1.0], [0.1, 1.0], [1.0, 0.1], [1.9, 0.5], [2.0, 2.0]]
+            .map(|exponents| target(of(exponents), []))
+            .into();
+    targets.extend([[0.1, 0.1], [0.5, 1.0]].map(|exponents| target(of(exponents), stages())));
+    targets.push(target(SuperhyperboloidOneSheet::new(size, [0.7, 1.0], 0.4).unwrap(), []));
+    targets.push(target(SuperhyperboloidTwoSheets::new(size, [1.0, 0.8], 2.0).unwrap(), []));
+    targets.push(target(Supertoroid::new([0.3, 0.3, 0.3], [1.0, 1.0], 3.0).unwrap(), []));
+    targets.push(target(ThreeExponent::new(size, [2.0, 3.0, 4.0]).unwrap(), []));
+    targets.push(bite());
+    targets
+}
+
+/// Rays from around the solid to points about it; a tenth of them along axes.
+fn rays(target: &Aim) -> Vec<Ray> {
+    let mut rng = ChaCha8Rng::seed_from_u64(12);
+    let [min, max] = target.solid().bounding_box();
+    let (center, half) = (0.5 * (min + max), 0.5 * (max - min));
+    let mut draw = || Vector3::from_fn(|_, _| 2.0 * rng.random::<f64>() - 1.0);
+    let ray = |i: usize| {
+        let aimed = center + draw().component_mul(&half);
+        let direction = if i.is_multiple_of(10) { Vector3::ith(i / 10 % 3, 1.0) } else { draw() };
+        let origin = aimed - 4.0 * half.norm() / direction.norm() * direction;
+        Ray { origin, direction }
+    };
+    (0..RAYS).map(ray).collect()
+}
+
+#[test]
+fn hits_are_on_the_surface_and_part_inside_from_outside() {
+    for (number, target) in targets().iter().enumerate() {
+        let hits = |ray: &Ray| {
+            let all = target.all_hits(ray);
+            assert_eq!(all.first().map(|hit| hit.t), target.first_hit(ray).map(|hit| hit.t));
+            assert!(all.len().is_multiple_of(2), "{number}: what goes in comes out");
+            assert!(all.windows(2).all(|pair| pair[0].t < pair[1].t));
+            for i in 0..all.len() {
+                assert_parts_inside_from_outside(target, ray, &all, i);
+            }
+            all.len()
+        };
+        let found: usize = rays(target).par_iter().map(hits).sum();
+        assert!(found > RAYS / 5, "{number}: {found}");
+    }
+}
+
+/// Nudges a hit along its ray, by no more than half of the way to the next one.
+fn assert_parts_inside_from_outside(target: &Aim, ray: &Ray, all: &[Hit], i: usize) {
+    let (hit, length) = (all[i], ray.direction.norm());
+    let neighbours = [i.wrapping_sub(1), i + 1].into_iter().filter_map(|j| all.get(j));
+    let gap = neighbours.map(|next| (next.t - hit.t).abs()).fold(f64::INFINITY, f64::min);
+    let nudge = (1e-6 / length).min(0.5 * gap);
+    let [before, after] = [-nudge, nudge].map(|by| target.solid().contains(&ray.at(hit.t + by)));
+    // Of parts thinner than that rounding may hide the inside.
+    let goes_in = i.is_multiple_of(2);
+    let is_told = gap * length < 1e-6 || (before != goes_in && after == goes_in);
+    assert!(is_told, "{ray:?} {hit:?}");
+    assert!((hit.normal.norm() - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn brute_force_marching_finds_no_hit_that_was_missed() {
+    for (number, target) in targets().iter().enumerate() {
+        let bounds = target.solid().bounding_box();
+        let marches_inside = |ray: &Ray| {
+            let Some(range) = ray.clipped(&bounds) else { return false };
+            let at = |i: usize| range[0] + (range[1] - range[0]) * (i as f64 / STEPS as f64);
+            let inside: Vec<f64> =
+                (0..=STEPS).map(at).filter(|&t| target.solid().contains(&ray.at(t))).collect();
+            let hits = target.all_hits(ray);
+            for t in &inside {
+                let before = hits.iter().filter(|hit| hit.t < *t).count();
+                assert!(!before.is_multiple_of(2), "{number}: {ray:?} {t} {hits:?}");
+            }
+            !inside.is_empty()
+        };
+        let found = rays(target).par_iter().filter(|ray| marches_inside(ray)).count();
+        assert!(found > RAYS / 10, "{number}: {found}");
+    }
+}
+
+#[test]
+fn boxes_around_primitives_change_no_hit() {
+    let at = |x: f64, exponents| {
+        let shape = Shape::from(Superellipsoid::new([0.4, 0.8, 0.5], exponents).unwrap());
+        let deformed = Deformed::new(shape, Chain::new(stages())).unwrap();
+        Tree::from(Primitive { deformed, pose: Pose::new(Default::default(), Vector3::x() * x) })
+    };
+    let [a, b, c] = [at(-0.6, [0.5, 1.0]), at(0.3, [1.0, 1.0]), at(0.5, [0.2, 0.2])];
+    let shared = Tree::Intersection(vec![a.clone(), b.clone()]);
+    let bitten = Tree::Difference(Box::new(c), vec![a, at(3.0, [1.0, 1.0])]);
+    let whole = aim(Tree::Union(vec![shared, bitten, at(1.4, [0.3, 0.3])]));
+    let boxed = SolidTarget::new(whole.solid());
+    let mut hits = 0;
+    for ray in rays(&whole).iter().take(2000) {
+        let [expected, found] = [whole.all_hits(ray), boxed.all_hits(ray)];
+        assert_eq!(expected.len(), found.len(), "{ray:?}");
+        for (expected, found) in expected.iter().zip(&found) {
+            assert!((expected.position - found.position).norm() < 1e-10, "{ray:?}");
+        }
+        assert_eq!(found.first().copied(), boxed.first_hit(ray));
+        hits += found.len();
+    }
+    assert!(hits > 500, "{hits}");
+}
+
+#[test]
+fn hits_of_a_ball_are_the_quadratics() {
+    let target = target(Superellipsoid::new([2.0; 3], [1.0; 2]).unwrap(), []);
+    let center = Vector3::new(0.2, -0.1, 0.3);
+    for ray in rays(&target) {
+        let d = ray.direction.normalize();
+        let offset = ray.origin - center;
+        let (b, c) = (offset.dot(&d), offset.norm_squared() - 4.0);
+        let root = (b * b - c).sqrt();
+        let hits = target.all_hits(&ray);
+        if root.is_nan() {
+            assert!(hits.is_empty());
+        } else if root > 1e-4 {
+            for (hit, expected) in hits.iter().zip([-b - root, -b + root]) {
+                let found = hit.t * ray.direction.norm();
+                assert!((found - expected).abs() < 1e-13 * expected.abs() / root.min(1.0));
+                assert!((hit.normal - (hit.position - center) / 2.0).norm() < 1e-9);
+            }
+            assert_eq!(hits.len(), 2);
+        }
+    }
+}
+
+#[test]
+fn a_sheet_of_a_thousandth_is_not_missed() {
+    let sheet = target(Superellipsoid::new([1.0, 1.0, 1e-3], [0.1, 0.1]).unwrap(), []);
+    let mut through = 0;
+    for ray in rays(&sheet) {
+        through += usize::from(sheet.all_hits(&ray).len() == 2);
+    }
+    assert!(through > RAYS / 5, "{through}");
+}
+
+#[test]
+fn a_ray_that_starts_inside_leaves_once_and_one_away_hits_nothing() {
+    let target = target(Superellipsoid::new([1.0; 3], [0.3; 2]).unwrap(), []);
+    let center = Vector3::new(0.2, -0.1, 0.3);
+    let inside = Ray { origin: center, direction: Vector3::new(0.3, -0.2, 0.7) };
+    assert_eq!(target.all_hits(&inside).len(), 1);
+    let away = Ray { origin: center + 9.0 * Vector3::x(), direction: Vector3::x() };
+    assert_eq!(target.first_hit(&away), None);
+}
+
+#[test]
+fn depth_of_a_ball_is_the_same_for_a_central_and_a_parallel_camera_on_the_axis() {
+    let shape = Shape::from(Superellipsoid::new([1.0; 3], [1.0; 2]).unwrap());
+    let deformed = Deformed::new(shape, Chain::default()).unwrap();
+    let pose = Pose::new(Default::default(), Vector3::new(0.0, 0.0, 5.0));
+    let target = aim(Primitive { deformed, pose }.into());
+    let text = r#"{"fx": 30, "fy": 30, "cx": 10, "cy": 8, "width": 21, "height": 17}"#;
+    let central: Camera = serde_json::from_str(text).unwrap();
+    let parallel =
+        OrthographicCamera { scale: [6.0; 2], origin: [10.0, 8.0], width: 21, height: 17 };
+    let [central, parallel] = [render(&target, &central, || ()), render(&target, &parallel, || ())];
+    for rendering in [&central, &parallel] {
+        let middle = 8 * 21 + 10;
+        assert!((rendering.depths[middle] - 4.0).abs() < 1e-12);
+        assert!((rendering.normals[middle] + Vector3::z()).norm() < 1e-9);
+        assert_eq!((rendering.depths[0], rendering.normals[0]), (0.0, Vector3::zeros()));
+    }
+    // A sphere of radius 1 at 6 pixels a unit covers about 36 pi pixels.
+    let seen = parallel.depths.iter().filter(|depth| **depth > 0.0).count();
+    assert!((100..130).contains(&seen), "{seen}");
+}

@@ -1,0 +1,111 @@
+//! Union, intersection and difference of solids (B81).
+
+use nalgebra::Vector3;
+
+use super::primitive::Primitive;
+use crate::math::Scalar;
+use crate::pose::Pose;
+use crate::shape::{LevelSet, Shape, Solid};
+
+/// A solid made of posed, deformed primitives.
+///
+/// Levels are combined as B81 combines inside-outside functions: the least for a union, the
+/// greatest for an intersection, and for what is taken away the level mirrored at 1.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Tree<L = Primitive<Shape>> {
+    /// A primitive.
+    Leaf(L),
+    /// What is in any of the parts.
+    Union(Vec<Self>),
+    /// What is in all of the parts.
+    Intersection(Vec<Self>),
+    /// What is in the first, but in none of the others.
+    Difference(Box<Self>, Vec<Self>),
+}
+
+impl<S> From<Primitive<S>> for Tree<Primitive<S>> {
+    fn from(primitive: Primitive<S>) -> Self {
+        Self::Leaf(primitive)
+    }
+}
+
+impl<L> Tree<L> {
+    /// The tree of what a function makes of the leaves.
+    pub fn map<M>(&self, function: &impl Fn(&L) -> M) -> Tree<M> {
+        let all = |parts: &[Self]| parts.iter().map(|part| part.map(function)).collect();
+        match self {
+            Self::Leaf(leaf) => Tree::Leaf(function(leaf)),
+            Self::Union(parts) => Tree::Union(all(parts)),
+            Self::Intersection(parts) => Tree::Intersection(all(parts)),
+            Self::Difference(from, parts) => {
+                Tree::Difference(Box::new(from.map(function)), all(parts))
+            }
+        }
+    }
+}
+
+impl<S: Clone> Tree<Primitive<S>> {
+    /// The solid after a motion.
+    pub fn moved(&self, motion: &Pose) -> Self {
+        self.map(&|primitive| Primitive {
+            deformed: primitive.deformed.clone(),
+            pose: motion.after(&primitive.pose),
+        })
+    }
+}
+
+impl<S: Solid + LevelSet> Tree<Primitive<S>> {
+    /// Whether a point of the world is inside.
+    pub fn contains(&self, x: &Vector3<f64>) -> bool {
+        match self {
+            Self::Leaf(primitive) => primitive.contains(x),
+            Self::Union(parts) => parts.iter().any(|part| part.contains(x)),
+            Self::Intersection(parts) => parts.iter().all(|part| part.contains(x)),
+            Self::Difference(from, parts) => {
+                from.contains(x) && !parts.iter().any(|part| part.contains(x))
+            }
+        }
+    }
+
+    /// A box along the world's axes that holds the solid, `[min, max]`; empty, its ends the
+    /// wrong way round or infinitely far apart, where boxes tell that nothing is left.
+    pub fn bounding_box(&self) -> [Vector3<f64>; 2] {
+        let infinite = Vector3::from_element(f64::INFINITY);
+        match self {
+            Self::Leaf(primitive) => primitive.bounding_box(),
+            Self::Union(parts) => {
+                let boxes = parts.iter().map(Self::bounding_box);
+                boxes.fold([infinite, -infinite], |[min, max], [low, high]| {
+                    [min.inf(&low), max.sup(&high)]
+                })
+            }
+            Self::Intersection(parts) => {
+                let boxes = parts.iter().map(Self::bounding_box);
+                boxes.fold([-infinite, infinite], |[min, max], [low, high]| {
+                    [min.sup(&low), max.inf(&high)]
+                })
+            }
+            Self::Difference(from, _) => from.bounding_box(),
+        }
+    }
+}
+
+impl<L: LevelSet> LevelSet for Tree<L> {
+    fn level<T: Scalar>(&self, x: [T; 3]) -> T {
+        let of = |parts: &[Self], choose: fn(T, T) -> T| {
+            parts.iter().map(|part| part.level(x)).reduce(choose)
+        };
+        match self {
+            Self::Leaf(primitive) => primitive.level(x),
+            Self::Union(parts) => of(parts, T::min).unwrap_or(T::constant(f64::INFINITY)),
+            Self::Intersection(parts) => of(parts, T::max).unwrap_or(T::constant(0.0)),
+            Self::Difference(from, parts) => match of(parts, T::min) {
+                Some(taken) => from.level(x).max(-taken + 2.0),
+                None => from.level(x),
+            },
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;
