@@ -10,6 +10,7 @@ use superquadric::recover::{FitOptions, fit};
 use superquadric::shape::Superellipsoid;
 use superquadric::view::{
     Camera, Contour, DepthMap, Distortion, Mask, OrthographicCamera, Projection, find_plane,
+    points_above,
 };
 
 const WIDTH: u32 = 160;
@@ -180,12 +181,11 @@ fn contours_of_fits_to_real_depth_maps_cover_the_objects_masks() {
         let path = |kind: &str| folder.join(format!("{object}_{kind}.png"));
         let mask = Mask::read(path("mask")).expect("a mask");
         let map = DepthMap::read(path("depth"), camera, Some(&path("mask")), None).expect("a map");
-        let options = FitOptions {
-            sight: Some(map.sight()),
-            support: find_plane(&map.surroundings(), [0.0; 3], 0),
-            ..FitOptions::default()
-        };
-        let fit = fit(&map.object_points(), &options).expect("a fit");
+        let table = find_plane(&map.surroundings(), [0.0; 3], 0).expect("a table");
+        let cloud = points_above(&map.inner_points(), &table, [0.0; 3]);
+        let sight = Some(map.sight());
+        let options = FitOptions { sight, support: Some(table), ..FitOptions::default() };
+        let fit = fit(&cloud, &options).expect("a fit");
         let contour = Contour::of(&fit.model, &camera).expect("a contour");
         let iou = silhouette_iou(&contour, &mask);
         let extents = fit.model.shape.size().map(|a| 2.0 * a);
