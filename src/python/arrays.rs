@@ -1,6 +1,6 @@
 //! NumPy arrays of any real type and memory order in, arrays of doubles out.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 use numpy::{
     Element, PyArray1, PyArray2, PyArrayDescrMethods, PyArrayDyn, PyArrayMethods,
     PyReadonlyArrayDyn, PyUntypedArray, PyUntypedArrayMethods, dtype,
@@ -129,6 +129,21 @@ impl<'py> Doubles<'py> {
         shaped(py, results.into_flattened(), &[rows, &[2]].concat())
     }
 
+    /// A symmetric matrix for each row, in an array of shape (..., 3, 3); not numbers for rows that
+    /// are not finite.
+    ///
+    /// # Errors
+    /// Those of [`rows`](Self::rows).
+    pub fn map_rows_to_squares(
+        &self,
+        py: Python<'py>,
+        map: impl Fn(&Vector3<f64>) -> Matrix3<f64> + Sync,
+    ) -> PyResult<Array<'py>> {
+        let results = self.finite_rows(py, [[f64::NAN; 3]; 3], |row| map(row).into())?;
+        let values = results.into_flattened().into_flattened();
+        shaped(py, values, &[self.shape(), &[3]].concat())
+    }
+
     /// What `map` makes of the rows that are finite, and `otherwise` in place of the others.
     fn finite_rows<T: Copy + Send + Sync>(
         &self,
@@ -167,14 +182,33 @@ pub(super) fn map_angles<'py>(
     omega: &Bound<'py, PyAny>,
     map: impl Fn(f64, f64) -> Vector3<f64> + Sync,
 ) -> PyResult<Array<'py>> {
+    let vectors = map_angles_to(eta, omega, |eta, omega| [map(eta, omega)])?;
+    let shape: Vec<usize> = match vectors.shape() {
+        [broadcast @ .., 1, 3] => [broadcast, &[3]].concat(),
+        other => other.to_vec(),
+    };
+    vectors.reshape(shape)
+}
+
+/// N vectors for each latitude and longitude, broadcast together to shape (...), in an array of
+/// shape (..., N, 3).
+///
+/// # Errors
+/// Those of [`map_angles`].
+pub(super) fn map_angles_to<'py, const N: usize>(
+    eta: &Bound<'py, PyAny>,
+    omega: &Bound<'py, PyAny>,
+    map: impl Fn(f64, f64) -> [Vector3<f64>; N] + Sync,
+) -> PyResult<Array<'py>> {
     let py = eta.py();
     let pair = py.import("numpy")?.call_method1("broadcast_arrays", (eta, omega))?;
     let eta = Doubles::new("eta", &pair.get_item(0)?)?;
     let omega = Doubles::new("omega", &pair.get_item(1)?)?;
     let (etas, omegas) = (eta.values()?, omega.values()?);
-    let vectors: Vec<[f64; 3]> = py
-        .detach(|| etas.iter().zip(omegas).map(|(&eta, &omega)| map(eta, omega).into()).collect());
-    shaped(py, vectors.into_flattened(), &[eta.shape(), &[3]].concat())
+    let vectors = |(&eta, &omega): (&f64, &f64)| map(eta, omega).map(<[f64; 3]>::from);
+    let vectors: Vec<[[f64; 3]; N]> = py.detach(|| etas.iter().zip(omegas).map(vectors).collect());
+    let values = vectors.into_flattened().into_flattened();
+    shaped(py, values, &[eta.shape(), &[N, 3]].concat())
 }
 
 /// Numbers as an array of shape (n,).

@@ -3,6 +3,7 @@
 mod arrays;
 mod batch;
 mod contour;
+mod derivatives;
 mod errors;
 mod exchange;
 mod families;

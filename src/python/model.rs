@@ -7,6 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple, PyType};
 
 use super::arrays::{Array, Doubles, Table, Vector, map_angles, require_room, table, vector};
+use super::derivatives;
 use super::errors::os_error;
 use super::pose::pose_of;
 use crate::model::Model;
@@ -208,6 +209,31 @@ impl PyModel {
         Doubles::new("points", points)?.map_rows_to_rows(points.py(), |x_world| {
             pose.rotation() * shape.inside_outside_gradient(&pose.model_from_world(x_world))
         })
+    }
+
+    /// Tangents by eta and by omega, of shape (..., 2, 3), at latitudes `eta` and longitudes
+    /// `omega`, broadcast together.
+    fn tangents<'py>(
+        &self,
+        eta: &Bound<'py, PyAny>,
+        omega: &Bound<'py, PyAny>,
+    ) -> PyResult<Array<'py>> {
+        derivatives::tangents(&self.0, eta, omega)
+    }
+
+    /// Second derivatives of the surface point, by eta twice, by both, by omega twice, of shape
+    /// (..., 3, 3), at latitudes `eta` and longitudes `omega`, broadcast together.
+    fn second_derivatives<'py>(
+        &self,
+        eta: &Bound<'py, PyAny>,
+        omega: &Bound<'py, PyAny>,
+    ) -> PyResult<Array<'py>> {
+        derivatives::second_derivatives(&self.0, eta, omega)
+    }
+
+    /// Second derivatives of F at points of shape (..., 3), in an array of shape (..., 3, 3).
+    fn inside_outside_hessian<'py>(&self, points: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
+        derivatives::hessian(&self.0, points)
     }
 
     /// Principal curvatures, the greater first, of the level surfaces of F through points of shape

@@ -152,3 +152,30 @@ def test_curvatures_are_the_closed_forms():
     around = np.cos(eta) / (3 + np.cos(eta))
     curvatures = torus.curvatures(torus.position(eta, 0.4))
     np.testing.assert_allclose(curvatures, np.stack([np.ones(9), around], axis=1), atol=1e-10)
+
+
+@pytest.mark.parametrize(
+    "model",
+    [*shapes(**POSE), superquadric.Superellipsoid(SIZE, EXPONENTS, **POSE)],
+    ids=lambda model: type(model).__name__,
+)
+def test_derivatives_are_those_of_differences(model):
+    eta, omega, step = np.array([0.3, 0.5]), 0.7, 1e-5
+    around = model.position(eta + step, omega) - model.position(eta - step, omega)
+    along = model.position(eta, omega + step) - model.position(eta, omega - step)
+    tangents = np.stack([around, along], axis=1) / (2 * step)
+    assert model.tangents(eta, omega).shape == (2, 2, 3)
+    np.testing.assert_allclose(model.tangents(eta, omega), tangents, rtol=1e-6, atol=1e-6)
+
+    change = model.tangents(eta + step, omega) - model.tangents(eta - step, omega)
+    second = model.second_derivatives(eta, omega)
+    assert second.shape == (2, 3, 3)
+    np.testing.assert_allclose(second[:, :2], change / (2 * step), rtol=1e-6, atol=1e-6)
+
+    points = 1.1 * (model.position(eta, omega) - model.translation) + model.translation
+    hessian = model.inside_outside_hessian(points)
+    assert hessian.shape == (2, 3, 3)
+    for k, offset in enumerate(step * np.eye(3)):
+        ahead, behind = (model.inside_outside_gradient(points + s * offset) for s in (1, -1))
+        expected = (ahead - behind) / (2 * step)
+        np.testing.assert_allclose(hessian[:, k], expected, rtol=1e-5, atol=1e-5)

@@ -84,7 +84,10 @@ def figure_of(width: float, height: float) -> Any:
 
 
 def saved(figure: Any, path: str | os.PathLike[str] | None) -> Any:
-    """The figure itself, written to a PNG file if there is a path."""
+    """The figure itself, laid out for good, and written to a PNG file if there is a path."""
+    figure.draw_without_rendering()
+    # Laid out anew at every drawing, it would never look quite the same.
+    figure.set_layout_engine("none")
     if path is not None:
         _write(figure, path)
     return figure
