@@ -1,4 +1,5 @@
-//! The whole fit, all starts included, in the library: complete clouds at 1 % noise.
+//! The whole fit, all starts included, in the library, one thread: complete clouds at 1 % noise, and
+//! what makes it harder.
 //!
 //! `cargo bench --bench fit`; dated results stand in `benches/runs/`.
 
@@ -8,9 +9,10 @@ mod common;
 use std::num::NonZeroUsize;
 use std::time::Duration;
 
-use common::{Scene, point_cloud};
+use common::{Scene, one_sided_view_from, point_cloud, with_strays};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use superquadric::recover::{Distance, FitOptions, fit};
+use superquadric::cloud::PointCloud;
+use superquadric::recover::{Distance, FitOptions, Sight, fit};
 
 /// Shapes that one measurement fits, since the search takes longer for some than for others.
 const SHAPES: u64 = 8;
@@ -39,5 +41,86 @@ fn complete_clouds(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, complete_clouds);
+/// A cloud that is harder than a complete one, of about so many points.
+struct Hard {
+    name: &'static str,
+    points: usize,
+    noise: f64,
+    is_one_sided: bool,
+    strays: f64,
+    tells_viewpoint: bool,
+}
+
+const PLAIN: Hard = Hard {
+    name: "complete, 5 % of noise",
+    points: 1_000,
+    noise: 0.05,
+    is_one_sided: false,
+    strays: 0.0,
+    tells_viewpoint: false,
+};
+
+const HARD: [Hard; 8] = [
+    PLAIN,
+    Hard { name: "one side", noise: 0.01, is_one_sided: true, ..PLAIN },
+    Hard { name: "one side, 5 % of noise", is_one_sided: true, ..PLAIN },
+    Hard { name: "20 % of strays", noise: 0.01, points: 2_000, strays: 0.2, ..PLAIN },
+    Hard { name: "60 % of strays", noise: 0.01, points: 2_000, strays: 0.6, ..PLAIN },
+    Hard { name: "80 % of strays", noise: 0.01, points: 3_000, strays: 0.8, ..PLAIN },
+    Hard {
+        name: "one side, 20 % of strays",
+        noise: 0.01,
+        points: 2_000,
+        is_one_sided: true,
+        strays: 0.2,
+        ..PLAIN
+    },
+    Hard {
+        name: "one side, 20 % of strays, viewpoint told",
+        noise: 0.01,
+        points: 2_000,
+        is_one_sided: true,
+        strays: 0.2,
+        tells_viewpoint: true,
+    },
+];
+
+impl Hard {
+    fn cloud(&self, seed: u64) -> (PointCloud, Option<Sight>) {
+        let mut scene = Scene::new(seed);
+        let truth = scene.random_model();
+        let surface = ((1.0 - self.strays) * self.points as f64) as usize;
+        let (points, camera) = if self.is_one_sided {
+            one_sided_view_from(&mut scene, &truth, surface, self.noise)
+        } else {
+            (scene.cloud(&truth, surface, self.noise), [0.0; 3])
+        };
+        let points = with_strays(&mut scene, &truth, points, self.strays);
+        (point_cloud(&points), self.tells_viewpoint.then(|| Sight::from_viewpoint(camera)))
+    }
+}
+
+fn hard_clouds(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group(format!("fit of {SHAPES} hard clouds"));
+    group.sample_size(10).measurement_time(Duration::from_secs(3));
+    for hard in HARD {
+        let clouds: Vec<_> = (0..SHAPES).map(|seed| hard.cloud(seed)).collect();
+        for distance in [Distance::Radial, Distance::Geometric] {
+            let fit_all = || -> Vec<_> {
+                let one = |(cloud, sight): &(PointCloud, Option<Sight>)| {
+                    let threads = NonZeroUsize::new(1);
+                    let sight = sight.clone();
+                    fit(cloud, &FitOptions { distance, threads, sight, ..FitOptions::default() })
+                };
+                clouds.iter().map(one).collect()
+            };
+            group.bench_function(BenchmarkId::new(distance.name(), hard.name), |bencher| {
+                bencher.iter(fit_all);
+            });
+        }
+    }
+    group.finish();
+}
+
+criterion_group!(benches, complete_clouds, hard_clouds);
 criterion_main!(benches);

@@ -2,28 +2,11 @@
 
 mod common;
 
-use common::{Scene, iou, median, one_sided_view_from, point_cloud};
+use common::{Scene, iou, median, one_sided_view_from, point_cloud, with_strays};
 use superquadric::model::Model;
 use superquadric::recover::{FitOptions, Sight, fit};
 
 const SHAPES: u64 = 100;
-
-/// The points among as many strays, uniform in a box of twice the shape's sides, that they are
-/// that share of all.
-fn with_strays(
-    scene: &mut Scene,
-    truth: &Model,
-    mut points: Vec<[f64; 3]>,
-    share: f64,
-) -> Vec<[f64; 3]> {
-    let strays = (points.len() as f64 * share / (1.0 - share)).round() as usize;
-    let [low, high] = truth.bounding_box();
-    let (centre, half) = ((low + high) * 0.5, high - low);
-    for _ in 0..strays {
-        points.push(std::array::from_fn(|k| centre[k] + half[k] * scene.uniform(-1.0, 1.0)));
-    }
-    points
-}
 
 /// Points, and where the camera stood if that is told.
 type Seen = (Vec<[f64; 3]>, Option<[f64; 3]>);

@@ -107,6 +107,23 @@ pub fn one_sided_view_from(
     (seen.iter().map(noisy).collect(), camera_world.into())
 }
 
+/// The points among as many strays, uniform in a box of twice the shape's sides, that they are
+/// that share of all.
+pub fn with_strays(
+    scene: &mut Scene,
+    truth: &Model,
+    mut points: Vec<[f64; 3]>,
+    share: f64,
+) -> Vec<[f64; 3]> {
+    let strays = (points.len() as f64 * share / (1.0 - share)).round() as usize;
+    let [low, high] = truth.bounding_box();
+    let (centre, half) = ((low + high) * 0.5, high - low);
+    for _ in 0..strays {
+        points.push(std::array::from_fn(|k| centre[k] + half[k] * scene.uniform(-1.0, 1.0)));
+    }
+    points
+}
+
 /// Intersection over union of two solids, to about 2e-3.
 pub fn iou(a: &Model, b: &Model) -> f64 {
     volume_overlap(a, b, 20_000, 7).iou
