@@ -2,6 +2,7 @@
 //! switches from the best of them, then the best few on more points.
 
 use super::descent::{Descent, Effort, PointSet, descend};
+use super::kernel::Residual;
 use super::normalization::Moments;
 use super::start::{ambiguous_starts, principal_starts};
 use super::subset::Subset;
@@ -23,6 +24,9 @@ const HALF_SEEN: f64 = 1.3;
 /// or residuals of so many neighbours that correlate so much: noise alone leaves 0.06.
 const CORRELATED_POINTS: usize = 256;
 const MISFIT: f64 = 0.3;
+
+/// A brief descent of a second look that ends within this ratio of the best loss is taken further.
+const NEAR: f64 = 1.05;
 
 /// Rounds of a second look, and the gain in the logarithm of the likelihood that calls for another.
 const LOOKS: usize = 2;
@@ -74,17 +78,24 @@ impl Search {
         }
     }
 
-    /// Looks around the best minimum for better ones, if it is open to doubt, on points and under
-    /// the residual it was found by: the coarse search has but few points and looks at one switch
-    /// at a time.
+    /// Looks around the best minimum of the geometric distance for better ones, if it is open to
+    /// doubt, on the points it was found on: the coarse search has but few points and looks at one
+    /// switch at a time.
     pub fn look_again(&mut self, points: &PointSet, effort: &Effort) {
         for _ in 0..LOOKS {
             let Some(best) = self.candidates.first().filter(|best| is_open(points, best)) else {
                 return;
             };
             let (model, before) = (best.model, best.loss);
-            let starts = other_frames(&model).into_iter().chain(deflated(&model));
-            self.try_all(points, &starts.collect::<Vec<_>>(), effort);
+            let starts: Vec<Model> =
+                other_frames(&model).into_iter().chain(deflated(&model)).collect();
+            let mut others = Self::default();
+            others.try_all(points, &starts, &BRIEF);
+            self.passes += others.passes;
+            self.starts += others.starts;
+            if let Some(other) = others.into_best().filter(|other| other.loss < NEAR * before) {
+                self.descend(points, &other.model, effort);
+            }
             let gain = 0.5 * points.weight() * (before / self.least_loss()).ln();
             if gain < LIKELIER {
                 return;
@@ -154,6 +165,9 @@ impl Search {
 
 /// Whether the best minimum misfits, or noise and what is not seen leave it in doubt.
 fn is_open(points: &PointSet, best: &Descent) -> bool {
+    if points.residual == Residual::Radial {
+        return false;
+    }
     let unseen =
         points.evidence.seen_area.is_some_and(|seen| seen.ratio(&best.model.shape) > HALF_SEEN);
     (unseen && best.geometric_mean_square.sqrt() > NOISY) || is_misfit(points, &best.model)
