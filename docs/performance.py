@@ -12,6 +12,9 @@ import sys
 import time
 from pathlib import Path
 
+# One thread for SciPy too; NumPy reads this when it is imported.
+os.environ["OPENBLAS_NUM_THREADS"] = "1"
+
 import numpy as np
 import scipy_fit
 from accuracy import _cpu
