@@ -3,7 +3,6 @@
 mod camera;
 mod camera_file;
 mod contour;
-mod contour_document;
 mod depth_map;
 mod distortion;
 mod error;
@@ -19,7 +18,6 @@ mod wireframe;
 
 pub use camera::Camera;
 pub use contour::Contour;
-pub use contour_document::{ContourFormat, UnknownContourFormat};
 pub use depth_map::DepthMap;
 pub use distortion::Distortion;
 pub use error::ImageError;
