@@ -28,7 +28,8 @@ impl Outline {
     /// The outline of a deformed shape of any family, given in the camera's frame.
     ///
     /// A superellipsoid's with exponents up to 2 is its [`Contour`]. Any other's has vertices
-    /// that are solved for, some 250 and more around the solid.
+    /// that are solved for, some 250 and more around the solid; its chords may be off by a few
+    /// thousandths of the solid's extent where the surface is bent sharply.
     ///
     /// # Errors
     /// If the camera is not outside the solid, or part of it is behind the camera or where the
