@@ -36,7 +36,7 @@
 //! # Modules, in the order in which data flows
 //!
 //! [`math`] -> [`shape`] and [`pose`] -> [`model`], [`deform`] -> [`solid`] -> [`surface`] -> [`raster`],
-//! [`compare`]; [`cloud`] and [`view`] -> [`recover`], [`ray`] -> [`report`] and [`batch`] -> [`output`] and
+//! [`compare`]; [`cloud`] and [`view`] -> [`recover`], [`ray`] -> [`outline`] -> [`report`] and [`batch`] -> [`output`] and
 //! the command line. Nothing below the command line
 //! prints or exits.
 
@@ -51,6 +51,7 @@ pub mod error;
 pub mod exchange;
 pub mod math;
 pub mod model;
+pub mod outline;
 pub mod output;
 pub mod pose;
 #[cfg(feature = "python")]

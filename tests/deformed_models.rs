@@ -70,7 +70,8 @@ fn what_takes_plain_models_refuses_deformed_ones() {
     let camera = r#"{"fx": 500, "fy": 500, "cx": 320, "cy": 240, "width": 640, "height": 480}"#;
     let folder = folder();
     std::fs::write(folder.path().join("camera.json"), camera).expect("a file");
-    let arguments = ["contour", "ribbon.json", "--camera", "camera.json", "-o", "-"];
+    let arguments =
+        ["overlay", "ribbon.json", "--camera", "camera.json", "--image", "p.png", "-o", "o.png"];
     let output = superquadric(&folder, &arguments);
     let message = String::from_utf8(output.stderr).expect("text");
     assert_eq!(output.status.code(), Some(2));

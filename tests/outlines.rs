@@ -63,6 +63,62 @@ fn contour_writes_the_outline_in_json() {
 }
 
 #[test]
+fn contour_of_a_torus_has_a_hole_and_hides_part_of_its_rim() {
+    let folder = folder();
+    let torus = r#"{"shape": {"family": "supertoroid", "size": [0.05, 0.05, 0.05],
+        "exponents": [1, 1], "ring": 3}, "pose": {"translation": [0, 0, 1]}}"#;
+    fs::write(folder.path().join("model.json"), torus).expect("a written file");
+    let document = contour(&folder, &[]);
+    let schema: Value = serde_json::from_str(SCHEMA).expect("a schema in JSON");
+    assert!(jsonschema::validator_for(&schema).expect("a schema").is_valid(&document));
+    assert_eq!(document["contour"].as_array().map(Vec::len), Some(2));
+    // Lines of sight through the camera, 1 m off, that touch circles 0.15 m off the axis.
+    let slope = |side: f64| {
+        let (distance, angle) = (1.0_f64.hypot(0.15), (0.15_f64).atan());
+        (angle + side * (0.05 / distance).asin()).tan()
+    };
+    let ring = std::f64::consts::PI * 500.0 * 500.0 * (slope(1.0).powi(2) - slope(-1.0).powi(2));
+    assert!((document["area"].as_f64().unwrap() / ring - 1.0).abs() < 1e-3);
+    let tilted = torus.replace("[0, 0, 1]}", "[0, 0, 1], \"euler_zyz\": [0, 1.5, 0]}");
+    fs::write(folder.path().join("model.json"), tilted).expect("a written file");
+    let document = contour(&folder, &[]);
+    assert_eq!(document["contour"].as_array().map(Vec::len), Some(1));
+    let flags = document["rim"].as_array().unwrap().iter();
+    let flags = flags.flat_map(|curve| curve["hidden"].as_array().unwrap());
+    let hidden = flags.clone().filter(|flag| **flag == Value::Bool(true)).count();
+    assert!(hidden > 20 && hidden < flags.count() - 20, "{hidden}");
+}
+
+#[test]
+fn contour_of_an_orthographic_camera_is_in_pixels_to_a_unit() {
+    let folder = folder();
+    let camera = r#"{"model": "orthographic", "scale": [300, 200], "origin": [10, 20],
+        "width": 64, "height": 48}"#;
+    let write = |text: &str| {
+        fs::write(folder.path().join("camera.json"), text).expect("a written file");
+    };
+    write(camera);
+    let document = contour(&folder, &[]);
+    let ellipse = std::f64::consts::PI * 30.0 * 20.0;
+    assert!((document["area"].as_f64().unwrap() / ellipse - 1.0).abs() < 5e-4);
+    for pixel in document["contour"][0].as_array().unwrap() {
+        let [u, v] = [0, 1].map(|k| pixel[k].as_f64().unwrap());
+        assert!((((u - 10.0) / 30.0).hypot((v - 20.0) / 20.0) - 1.0).abs() < 1e-12);
+    }
+    for (from, to, expected) in [
+        ("[300, 200]", "[300, 0]", "expected a scale of two positive numbers"),
+        ("\"origin\"", "\"centre\"", "missing field `origin`"),
+    ] {
+        write(&camera.replace(from, to));
+        let arguments = ["contour", "model.json", "--camera", "camera.json", "-o", "-"];
+        let output = run(folder.path(), &arguments);
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(message.contains(expected), "{message}");
+    }
+}
+
+#[test]
 fn a_pose_takes_the_model_from_the_world_to_the_camera() {
     let document = contour(&folder(), &["--pose", "pose.json"]);
     let [min, max] = [0, 1].map(|side| document["bounding_box"][side][0].as_f64().unwrap());

@@ -3,20 +3,33 @@
 use super::DONE;
 use super::args::{ContourArgs, ViewArgs};
 use super::error::CliError;
-use super::input::{is_stream, name, read_model};
+use super::input::{is_stream, name, read_model, read_primitive};
 use super::output::write_text;
 use crate::model::Model;
-use crate::view::{Camera, Contour, ContourFormat, model_in_camera, read_camera_from_world};
+use crate::outline::{ContourFormat, Outline};
+use crate::solid::Primitive;
+use crate::view::{AnyCamera, Camera, model_in_camera, read_camera_from_world};
 
 pub(super) fn run(args: &ContourArgs) -> Result<u8, CliError> {
     let format = match is_stream(&args.output) {
         true => ContourFormat::Json,
         false => ContourFormat::from_extension(&args.output)?,
     };
-    let (model_camera, camera) = read_view(&args.view)?;
-    let contour = Contour::of(&model_camera, &camera)
-        .map_err(|source| CliError::Rim { name: name(&args.view.model), source })?;
-    write_text(&args.output, &format.text(&contour, [camera.width, camera.height]))?;
+    let camera = AnyCamera::read(&args.view.camera)?;
+    let primitive = read_primitive(&args.view.model)?;
+    let primitive_camera = match &args.view.pose {
+        Some(pose) => {
+            let pose = read_camera_from_world(pose)?.after(&primitive.pose);
+            Primitive { pose, ..primitive }
+        }
+        None => primitive,
+    };
+    let outline = match &camera {
+        AnyCamera::Pinhole(camera) => Outline::of(&primitive_camera, camera),
+        AnyCamera::Orthographic(camera) => Outline::of(&primitive_camera, camera),
+    }
+    .map_err(|source| CliError::Rim { name: name(&args.view.model), source })?;
+    write_text(&args.output, &format.text(&outline, camera.size()))?;
     Ok(DONE)
 }
 

@@ -8,12 +8,13 @@ use thiserror::Error;
 use crate::batch::BatchError;
 use crate::cloud::ReadError;
 use crate::exchange::{ExportError, ImportError};
+use crate::outline::UnknownContourFormat;
 use crate::output::OutputError;
 use crate::recover::FitError;
 use crate::report::DocumentError;
 use crate::surface::ToleranceError;
 use crate::surface::format::{InscriptionError, UnknownMeshFormat};
-use crate::view::{ImageError, RimError, UnknownContourFormat};
+use crate::view::{ImageError, RimError};
 
 /// Why a command has failed.
 #[derive(Debug, Error)]

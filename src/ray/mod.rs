@@ -11,6 +11,7 @@ pub use hits::Ray;
 pub use render::{Rays, Rendering, render};
 pub use shading::{Light, Shading};
 pub use solid_target::SolidTarget;
+pub(crate) use target::outward_normal;
 pub use target::{Hit, Hittable, Target};
 
 #[cfg(test)]

@@ -69,7 +69,7 @@ impl<S: LevelSet> Hittable for Target<S> {
 impl Hit {
     pub(super) fn of(solid: &impl LevelSet, ray: &Ray, t: f64) -> Self {
         let position = ray.at(t);
-        Self { t, position, normal: normal(solid, &position) }
+        Self { t, position, normal: outward_normal(solid, &position) }
     }
 }
 
@@ -81,7 +81,7 @@ pub(super) fn widened([min, max]: [Vector3<f64>; 2]) -> [Vector3<f64>; 2] {
 
 /// The outward unit normal at a point of the surface: the gradient of the level. On an edge one
 /// between those of its sides.
-fn normal(solid: &impl LevelSet, x: &Vector3<f64>) -> Vector3<f64> {
+pub(crate) fn outward_normal(solid: &impl LevelSet, x: &Vector3<f64>) -> Vector3<f64> {
     let gradient = Vector3::from_fn(|axis, _| {
         let along = std::array::from_fn(|i| {
             let slope = if i == axis { Interval::point(1.0) } else { Interval::ZERO };

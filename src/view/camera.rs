@@ -10,7 +10,7 @@ use super::distortion::Distortion;
 use super::error::{ImageError, ImageProblem};
 
 /// Most bytes of a camera's document.
-const DOCUMENT_BYTES: u64 = 1 << 20;
+pub(super) const DOCUMENT_BYTES: u64 = 1 << 20;
 
 /// A pinhole camera with a lens: x to the right, y down, z forward, as in OpenCV; the centre of
 /// the pixel in column i and row j is (i, j).

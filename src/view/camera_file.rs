@@ -26,7 +26,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Camera, ImageProblem> {
 }
 
 /// The values of a JSON or YAML document.
-fn parse_values(bytes: &[u8]) -> Result<Value, ImageProblem> {
+pub(super) fn parse_values(bytes: &[u8]) -> Result<Value, ImageProblem> {
     let text = std::str::from_utf8(bytes)
         .map_err(|_| ImageProblem::CameraModel("text in UTF-8, found other bytes".to_owned()))?;
     if text.trim_start().starts_with('{') {
@@ -47,7 +47,7 @@ fn without_opencvs_dialect(text: &str) -> Cow<'_, str> {
     lines.map(|line| line.replace("!!opencv-matrix", "")).collect::<Vec<_>>().join("\n").into()
 }
 
-fn value_as<T: for<'a> Deserialize<'a>>(value: Value) -> Result<T, ImageProblem> {
+pub(super) fn value_as<T: for<'a> Deserialize<'a>>(value: Value) -> Result<T, ImageProblem> {
     serde_json::from_value(value).map_err(ImageProblem::Camera)
 }
 

@@ -1,9 +1,9 @@
 //! What a camera sees: cameras, depth maps, and what lies around an object in them.
 
+mod any_camera;
 mod camera;
 mod camera_file;
 mod contour;
-mod contour_document;
 mod depth_map;
 mod distortion;
 mod error;
@@ -17,9 +17,9 @@ mod rim;
 mod table;
 mod wireframe;
 
+pub use any_camera::AnyCamera;
 pub use camera::Camera;
 pub use contour::Contour;
-pub use contour_document::{ContourFormat, UnknownContourFormat};
 pub use depth_map::DepthMap;
 pub use distortion::Distortion;
 pub use error::ImageError;

@@ -22,6 +22,10 @@ pub(in crate::cli) struct ViewArgs {
 
 /// Write the outline of a model as a camera sees it.
 ///
+/// The model may be of any family and deformed. The camera may be orthographic, too: {"model":
+/// "orthographic", "scale": [pixels per unit, along rows and columns], "origin": [column, row],
+/// "width": .., "height": ..}.
+///
 /// JSON has closed polygons of [column, row] in pixels, pixel centres at integers, the rim in the
 /// camera's frame, area and bounding box; SVG is to be laid over the image.
 #[derive(Debug, clap::Args)]

@@ -6,7 +6,8 @@ use std::path::Path;
 use serde::Serialize;
 use thiserror::Error;
 
-use super::contour::Contour;
+use super::rim_curve::RimCurve;
+use super::silhouette::Outline;
 
 /// Name and version of the document of a contour.
 const CONTOUR_SCHEMA: &str = "superquadric.contour/1";
@@ -44,10 +45,10 @@ impl ContourFormat {
     }
 
     /// The text of a contour in an image of so many columns and rows.
-    pub fn text(self, contour: &Contour, size: [u32; 2]) -> String {
+    pub fn text(self, outline: &Outline, size: [u32; 2]) -> String {
         match self {
-            Self::Json => ContourDocument::new(contour, size).to_json(),
-            Self::Svg => svg(contour, size),
+            Self::Json => ContourDocument::new(outline, size).to_json(),
+            Self::Svg => svg(outline, size),
         }
     }
 }
@@ -77,16 +78,14 @@ struct RimDocument {
 }
 
 impl ContourDocument {
-    fn new(contour: &Contour, [width, height]: [u32; 2]) -> Self {
-        let points: Vec<[f64; 3]> = contour.rim_camera().iter().map(|x| (*x).into()).collect();
+    fn new(outline: &Outline, [width, height]: [u32; 2]) -> Self {
         Self {
             schema: CONTOUR_SCHEMA,
             image: ImageDocument { width, height },
-            contour: vec![contour.polygon().to_vec()],
-            // A convex solid hides nothing of its rim.
-            rim: vec![RimDocument { hidden: vec![false; points.len()], points }],
-            area: contour.area(),
-            bounding_box: contour.bounding_box(),
+            contour: outline.polygons().to_vec(),
+            rim: outline.rim_camera().iter().map(RimDocument::from).collect(),
+            area: outline.area(),
+            bounding_box: outline.bounding_box(),
         }
     }
 
@@ -96,18 +95,28 @@ impl ContourDocument {
     }
 }
 
+impl From<&RimCurve> for RimDocument {
+    fn from(curve: &RimCurve) -> Self {
+        let points = curve.points.iter().map(|x| (*x).into()).collect();
+        Self { points, hidden: curve.is_hidden.clone() }
+    }
+}
+
 /// The outline over an image whose first pixel's centre is (0, 0), to a thousandth of a pixel.
-fn svg(contour: &Contour, [width, height]: [u32; 2]) -> String {
+fn svg(outline: &Outline, [width, height]: [u32; 2]) -> String {
     let mut path = String::new();
-    for (i, [column, row]) in contour.polygon().iter().enumerate() {
-        let command = if i == 0 { 'M' } else { 'L' };
-        // Writing to a string does not fail.
-        let _ = write!(path, "{command}{column:.3} {row:.3}");
+    for polygon in outline.polygons() {
+        for (i, [column, row]) in polygon.iter().enumerate() {
+            let command = if i == 0 { 'M' } else { 'L' };
+            // Writing to a string does not fail.
+            let _ = write!(path, "{command}{column:.3} {row:.3}");
+        }
+        path.push('Z');
     }
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
          viewBox=\"-0.5 -0.5 {width} {height}\">\n\
-         <path d=\"{path}Z\" fill=\"none\" stroke=\"#e6007e\" stroke-width=\"1\" \
+         <path d=\"{path}\" fill=\"none\" stroke=\"#e6007e\" stroke-width=\"1\" \
          stroke-linejoin=\"round\"/>\n\
          </svg>\n"
     )

@@ -1,0 +1,53 @@
+//! Which way a surface faces a camera.
+
+use nalgebra::Vector3;
+
+use crate::math::increasing_root;
+use crate::ray::outward_normal;
+use crate::shape::LevelSet;
+use crate::view::Viewpoint;
+
+/// Halvings of a step that looks for the surface, at most.
+const FINEST: i32 = 12;
+
+/// A surface and where it is seen from, both in the frame of the solid.
+pub(super) struct Facing<'a, S> {
+    pub solid: &'a S,
+    pub viewpoint: Viewpoint,
+}
+
+impl<S: LevelSet> Facing<'_, S> {
+    /// `(x - c) . n(x)` or `v . n(x)` (JLS Eqs. 2.44, 2.45): negative where the surface faces the
+    /// camera, 0 on the rim.
+    pub fn away(&self, x: &Vector3<f64>) -> f64 {
+        let normal = outward_normal(self.solid, x);
+        match self.viewpoint {
+            Viewpoint::At(centre) => (x - centre).dot(&normal),
+            Viewpoint::Along(direction) => direction.dot(&normal),
+        }
+    }
+
+    /// The point of the rim between a surface point that faces the camera and one that does not.
+    /// Where an edge lies between them, a point of the edge.
+    pub fn crossing(&self, [front, back]: [Vector3<f64>; 2]) -> Vector3<f64> {
+        let chord = back - front;
+        let reach = chord.norm();
+        let sum = outward_normal(self.solid, &front) + outward_normal(self.solid, &back);
+        let across = sum - chord * (sum.dot(&chord) / chord.norm_squared());
+        let Some(outward) = across.try_normalize(0.0) else { return front };
+        let surface = |share: f64| self.on_surface(front + share * chord, reach * outward);
+        surface(increasing_root(|share| self.away(&surface(share)), [0.0, 1.0]))
+    }
+
+    /// The surface point nearest to x along a line that leads outwards, at most a step away; x if
+    /// there is none.
+    fn on_surface(&self, x: Vector3<f64>, step: Vector3<f64>) -> Vector3<f64> {
+        let above = |t: f64| self.solid.level((x + t * step).into()) - 1.0;
+        // Through a thin blade a whole step leads out again on its other side.
+        let towards = if above(0.0) > 0.0 { -1.0 } else { 1.0 };
+        let reaches = (0..=FINEST).rev().map(|halvings| towards * 0.5_f64.powi(halvings));
+        let beyond = |t: &f64| above(*t) * towards > 0.0;
+        let Some(reach) = reaches.into_iter().find(beyond) else { return x };
+        x + increasing_root(above, [reach.min(0.0), reach.max(0.0)]) * step
+    }
+}
