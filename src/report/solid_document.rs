@@ -64,8 +64,8 @@ fn unknown_key(value: &Value, known: &Value) -> Option<String> {
         (Value::Object(value), Value::Object(known)) => value.iter().find_map(|(key, value)| {
             match known.get(key) {
                 Some(known) => unknown_key(value, known).map(|inner| format!(".{key}{inner}")),
-                // Null is what an optional key has that is not given.
-                None => (!value.is_null()).then(|| format!(".{key}")),
+                // What optional keys have that say nothing.
+                None => (![Value::Null, json!([])].contains(value)).then(|| format!(".{key}")),
             }
         }),
         (Value::Array(value), Value::Array(known)) => {
@@ -121,6 +121,8 @@ mod tests {
     fn where_every_key_counts_misspelt_ones_are_named() {
         let value = |text: &str| serde_json::from_str::<Value>(text).unwrap();
         assert_eq!(strict_solid_of(&value(BORED)).unwrap(), solid_from_json(BORED).unwrap());
+        let pedantic = BORED.replace("\"pose\"", "\"deformations\": [], \"pose\"");
+        assert_eq!(strict_solid_of(&value(&pedantic)).unwrap(), solid_from_json(BORED).unwrap());
         for (from, to, expected) in [
             ("translation", "translaton", "union[1]: unknown key `pose.translaton`"),
             ("deformations", "deformation", "difference[1]: unknown key `deformation`"),
