@@ -56,7 +56,9 @@ def seconds_of_ours(scene: dict, folder: Path, threads: int) -> float:
         (folder / "scene.json").write_text(json.dumps(enlarged(scene, factor)))
         command = [PROGRAM, "render", "scene.json", "--depth", "depth.npy"]
         return median_seconds(
-            lambda: subprocess.run(command, cwd=folder, env=environment, check=True, capture_output=True)
+            lambda: subprocess.run(
+                command, cwd=folder, env=environment, check=True, capture_output=True
+            )
         )
 
     return seconds(SCALE) - seconds(1e-3)
@@ -65,14 +67,18 @@ def seconds_of_ours(scene: dict, folder: Path, threads: int) -> float:
 def rays_of(scene: dict) -> np.ndarray:
     """Origins and directions in the world, of shape (rows, columns, 6)."""
     camera = scene["camera"]
-    eye, target, up = (np.array(camera["view"][key], dtype=float) for key in ("eye", "target", "up"))
+    eye, target, up = (
+        np.array(camera["view"][key], dtype=float) for key in ("eye", "target", "up")
+    )
     forward = (target - eye) / np.linalg.norm(target - eye)
     right = np.cross(forward, up)
     right /= np.linalg.norm(right)
     columns, rows = np.meshgrid(np.arange(camera["width"]), np.arange(camera["height"]))
     x, y = (columns - camera["cx"]) / camera["fx"], (rows - camera["cy"]) / camera["fy"]
     directions = forward + x[..., None] * right + y[..., None] * np.cross(forward, right)
-    return np.concatenate([np.broadcast_to(eye, directions.shape), directions], axis=-1).astype(np.float32)
+    return np.concatenate([np.broadcast_to(eye, directions.shape), directions], axis=-1).astype(
+        np.float32
+    )
 
 
 def caster_of(scene: Path, folder: Path) -> tuple[open3d.t.geometry.RaycastingScene, int]:
@@ -95,7 +101,15 @@ def print_rows(sample: str, folder: Path, threads: list[int]) -> None:
     for count in threads:
         ours = hit.size / seconds_of_ours(scene, folder, count)
         theirs = hit.size / median_seconds(partial(caster.cast_rays, rays, nthreads=count))
-        cells = [sample, hit.size, triangles, f"{hit.mean():.0%}", count, f"{ours / 1e3:.0f}", f"{theirs / 1e3:.0f}"]
+        cells = [
+            sample,
+            hit.size,
+            triangles,
+            f"{hit.mean():.0%}",
+            count,
+            f"{ours / 1e3:.0f}",
+            f"{theirs / 1e3:.0f}",
+        ]
         print("| " + " | ".join(map(str, cells)) + " |")
 
 

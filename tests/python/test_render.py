@@ -15,7 +15,15 @@ FINER = 3
 MARGIN = 1.25
 """What the finer mesh's vertices show of that distance is a little less than the whole."""
 
-CAMERA = {"kind": "pinhole", "fx": 300, "fy": 300, "cx": 99.5, "cy": 74.5, "width": 200, "height": 150}
+CAMERA = {
+    "kind": "pinhole",
+    "fx": 300,
+    "fy": 300,
+    "cx": 99.5,
+    "cy": 74.5,
+    "width": 200,
+    "height": 150,
+}
 
 MODELS = {
     "round": ({"size": [1.0, 0.6, 0.8], "exponents": [1.0, 1.0]}, []),
@@ -46,10 +54,16 @@ def mesh(open3d, binary, folder, resolution):
 
 @pytest.mark.parametrize("name", MODELS)
 def test_depths_are_those_of_open3d_at_a_fine_mesh(name, binary, tmp_path):
-    open3d = pytest.importorskip("open3d", reason="open3d is absent: nothing casts rays at the mesh")
+    open3d = pytest.importorskip(
+        "open3d", reason="open3d is absent: nothing casts rays at the mesh"
+    )
     shape, deformations = MODELS[name]
     pose = {"euler_zyz": [0.4, 1.0, -0.7], "translation": [0.1, -0.1, 4.0]}
-    model = {"shape": {"family": "superellipsoid", **shape}, "deformations": deformations, "pose": pose}
+    model = {
+        "shape": {"family": "superellipsoid", **shape},
+        "deformations": deformations,
+        "pose": pose,
+    }
     scene = {"solids": [{"solid": model}], "camera": CAMERA}
     (tmp_path / "scene.json").write_text(json.dumps(scene))
     run(binary, tmp_path, "render", "scene.json", "--depth", "depth.npy")
