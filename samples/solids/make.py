@@ -1,4 +1,4 @@
-"""Writes the solids of this folder, after B84 and B81: python samples/solids/make.py."""
+"""Writes the scenes of this folder, after B84 and B81: python samples/solids/make.py."""
 
 import json
 import math
@@ -6,6 +6,7 @@ from pathlib import Path
 
 FOLDER = Path(__file__).parent
 ALONG_Y = [0, 1, 0]
+BLUE, GREEN, RED, WOOD = [0.45, 0.62, 0.85], [0.5, 0.75, 0.5], [0.85, 0.45, 0.4], [0.75, 0.6, 0.42]
 
 
 def model(size, exponents, deformations=(), pose=None):
@@ -40,7 +41,7 @@ def bend(rate, center, range_):
 
 def row(parts):
     """Four parts beside each other."""
-    return {"union": [part(i, at(-2.4 + 1.6 * i, 0)) for i, part in enumerate(parts)]}
+    return [part(i, at(-2.4 + 1.6 * i, 0)) for i, part in enumerate(parts)]
 
 
 RIBBON = ([0.5, 2.0, 0.12], [0.2, 0.2])
@@ -87,7 +88,7 @@ def chair():
     bends = [bend(quarter, 0.42, [0.42, 0.62]), bend(quarter, -0.42, [-0.62, -0.42])]
     arms = model([0.045, 1.2, 0.045], [1.0, 0.2], bends, at(0, 0.07, 0.4, arm_rotation))
     legs = [leg(x, y) for x in (-0.4, 0.4) for y in (-0.88, -0.12)]
-    return {"union": [seat_and_back, arms, *legs]}
+    return [seat_and_back, arms, *legs]
 
 
 def booleans():
@@ -98,43 +99,43 @@ def booleans():
         return [box, model([0.75, 0.75, 0.75], [1.0, 1.0], pose=at(x + 0.45, -0.45, -0.45))]
 
     union, intersection, difference = parts(-2.6), parts(0.0), parts(2.2)
-    return {"union": [{"union": union}, {"intersection": intersection}, {"difference": difference}]}
+    return [{"union": union}, {"intersection": intersection}, {"difference": difference}]
 
 
-def looking(eye, target, down):
-    """The pose of a camera at `eye` that looks at `target`: rows [R | t]."""
-    forward = unit([t - e for t, e in zip(target, eye)])
-    right = unit(cross(down, forward))
-    rows = [right, cross(forward, right), forward]
-    return {"camera_from_world": [[*row, -sum(r * e for r, e in zip(row, eye))] for row in rows]}
+def scene(solids, eye, target, up, colors=(BLUE,)):
+    """Solids on a white ground, seen from `eye`, with a sun, a lamp beside the camera and a sky."""
+    camera = {"kind": "pinhole", "fx": 420, "fy": 420, "cx": 199.5, "cy": 149.5, "width": 400, "height": 300}
+    side = cross([t - e for t, e in zip(target, eye)], up)
+    sun = [e - t + 1.5 * u * math.dist(eye, target) - 0.7 * s for e, t, u, s in zip(eye, target, up, side)]
+    lamp = [e + 0.5 * s for e, s in zip(eye, side)]
+    strength = 0.4 * math.dist(lamp, target) ** 2
+    return {
+        "schema": "superquadric.scene/1",
+        "camera": {**camera, "view": {"eye": eye, "target": target, "up": up}},
+        "ambient": [0.16, 0.17, 0.2],
+        "lights": [
+            {"kind": "directional", "to_light": sun, "color": [1, 0.97, 0.9], "intensity": 0.75},
+            {"kind": "point", "position": lamp, "color": [0.85, 0.92, 1], "intensity": strength},
+        ],
+        "solids": [
+            {"solid": solid, "material": {"color": colors[i % len(colors)]}} for i, solid in enumerate(solids)
+        ],
+    }
 
 
 def cross(a, b):
     return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
 
-def unit(v):
-    length = math.sqrt(sum(c * c for c in v))
-    return [c / length for c in v]
-
-
-SOLIDS = {
-    "tapered_ribbons": (tapered_ribbons, [2, 2.5, 9], [0, 0, 0], [0, -1, 0]),
-    "twisted_ribbons": (twisted_ribbons, [2, 2.5, 9], [0, 0, 0], [0, -1, 0]),
-    "tapered_twisted_bent": (tapered_twisted_bent, [6, 2, 4], [0, 0, 0.6], [0, 0, -1]),
-    "moebius_band": (moebius_band, [5, 2, 3.2], [0, 0, 0], [0, 0, -1]),
-    "chair": (chair, [2.6, -4.0, 1.6], [0, -0.4, -0.05], [0, 0, -1]),
-    "booleans": (booleans, [1, -5, -8], [0, 0, 0], [0, 1, 0]),
+SCENES = {
+    "tapered_ribbons": scene(tapered_ribbons(), [2, 2.5, 9], [0, 0, 0], [0, 1, 0]),
+    "twisted_ribbons": scene(twisted_ribbons(), [2, 2.5, 9], [0, 0, 0], [0, 1, 0], [GREEN]),
+    "tapered_twisted_bent": scene([tapered_twisted_bent()], [6, 2, 4], [0, 0, 0.6], [0, 0, 1]),
+    "moebius_band": scene([moebius_band()], [5, 2, 3.2], [0, 0, 0], [0, 0, 1], [RED]),
+    "chair": scene(chair(), [2.6, -4.0, 1.6], [0, -0.4, -0.05], [0, 0, 1], [RED, WOOD, WOOD, WOOD, WOOD, WOOD]),
+    "booleans": scene(booleans(), [1, -5, -8], [0, 0, 0], [0, -1, 0], [BLUE, GREEN, RED]),
 }
 
-
-def write(name, document):
-    (FOLDER / f"{name}.json").write_text(json.dumps(document) + "\n")
-
-
 if __name__ == "__main__":
-    camera = {"fx": 420, "fy": 420, "cx": 199.5, "cy": 149.5, "width": 400, "height": 300}
-    write("camera", camera)
-    for name, (solid, eye, target, down) in SOLIDS.items():
-        write(name, solid())
-        write(f"{name}_view", looking(eye, target, down))
+    for name, document in SCENES.items():
+        (FOLDER / f"{name}.json").write_text(json.dumps(document) + "\n")

@@ -37,6 +37,8 @@ pub(super) enum CliError {
     Number { name: String, count: usize },
     #[error(transparent)]
     Image(#[from] ImageError),
+    #[error("{0}: has no camera; give one as --camera")]
+    NoCamera(String),
     #[error("--support auto needs --camera or --viewpoint: which side is up?")]
     NoUpside,
     #[error("{0}: no plane found that the object could stand on; give it as --support A,B,C,D")]

@@ -7,11 +7,11 @@ use std::path::Path;
 use super::error::CliError;
 use crate::cloud::{self, PointCloud};
 use crate::model::Model;
+use crate::ray::Scene;
 use crate::report::{
-    DocumentError, any_model_from_json, model_from_json, primitive_from_json, solid_from_json,
+    DocumentError, any_model_from_json, model_from_json, scene_from_json, scene_from_toml,
 };
 use crate::shape::Shape;
-use crate::solid::{Primitive, Tree};
 use crate::surface::format::MeshFormat;
 
 /// Most bytes that a model's document may have: a fit has less than a thousand.
@@ -46,14 +46,10 @@ pub(super) fn read_any_model(path: &Path) -> Result<Model<Shape>, CliError> {
     read_document(path, any_model_from_json)
 }
 
-/// The model of any family in a JSON file or on stdin, with its deformations.
-pub(super) fn read_primitive(path: &Path) -> Result<Primitive<Shape>, CliError> {
-    read_document(path, primitive_from_json)
-}
-
-/// The solid in a JSON file or on stdin.
-pub(super) fn read_solid(path: &Path) -> Result<Tree, CliError> {
-    read_document(path, solid_from_json)
+/// The scene, or solid alone, in a JSON or TOML file, or in JSON on stdin.
+pub(super) fn read_scene(path: &Path) -> Result<Scene, CliError> {
+    let is_toml = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
+    read_document(path, if is_toml { scene_from_toml } else { scene_from_json })
 }
 
 fn read_document<T>(

@@ -3,7 +3,7 @@
 use super::DONE;
 use super::args::MeshArgs;
 use super::error::CliError;
-use super::input::read_solid;
+use super::input::read_scene;
 use super::output::write_mesh;
 use crate::solid::Tree;
 use crate::surface::{boundary_mesh, deformed_mesh};
@@ -13,7 +13,7 @@ use crate::surface::{boundary_mesh, deformed_mesh};
 const CELLS_TO_A_SEGMENT: usize = 3;
 
 pub(super) fn run(args: &MeshArgs) -> Result<u8, CliError> {
-    let solid = read_solid(&args.model)?;
+    let solid = read_scene(&args.model)?.solid();
     let Tree::Leaf(primitive) = &solid else {
         let cells = CELLS_TO_A_SEGMENT * args.fineness.resolution.segments();
         write_mesh(&args.output, &boundary_mesh(&solid, solid.bounding_box(), cells), None)?;

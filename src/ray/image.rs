@@ -96,7 +96,7 @@ mod tests {
         let depths = vec![0.0, 1.5, 2.0001, 1e-9, 0.25, 0.0];
         let normals =
             depths.iter().map(|depth| if *depth > 0.0 { -Vector3::z() } else { Vector3::zeros() });
-        Rendering { size: [3, 2], normals: normals.collect(), depths }
+        Rendering { size: [3, 2], normals: normals.collect(), solids: vec![0; 6], depths }
     }
 
     fn decoded(bytes: Vec<u8>) -> (png::OutputInfo, Vec<u8>) {

@@ -3,13 +3,15 @@
 mod hits;
 mod image;
 mod render;
+mod scene;
 mod shading;
 mod solid_target;
 mod target;
 
 pub use hits::Ray;
 pub use render::{Rays, Rendering, render};
-pub use shading::{Light, Shading};
+pub use scene::{AnyCamera, Item, Lighting, Scene, camera_looking_at};
+pub use shading::{Light, Material, Shading, Source};
 pub use solid_target::SolidTarget;
 pub(crate) use target::outward_normal;
 pub use target::{Hit, Hittable, Target};

@@ -49,35 +49,49 @@ pub struct Rendering {
     pub depths: Vec<f64>,
     /// Outward unit normals there in the camera's frame; 0 where nothing is hit.
     pub normals: Vec<Vector3<f64>>,
+    /// Which of the solids is hit there, by its place among them; 0 too where nothing is hit.
+    pub solids: Vec<usize>,
 }
 
-/// What a camera sees of a solid given in its frame, in parallel; `on_row` is called after every
+/// What a camera sees of solids given in its frame, in parallel; `on_row` is called after every
 /// row.
 pub fn render(
-    target_camera: &(impl Hittable + Sync),
+    targets_camera: &[impl Hittable + Sync],
     camera: &(impl Rays + Sync),
     on_row: impl Fn() + Sync,
 ) -> Rendering {
     let [width, height] = camera.size();
-    let rows: Vec<Vec<(f64, Vector3<f64>)>> = (0..height)
+    let rows: Vec<Vec<Pixel>> = (0..height)
         .into_par_iter()
         .map(|row| {
-            let pixels = (0..width).map(|column| pixel(target_camera, camera, [column, row]));
+            let pixels = (0..width).map(|column| pixel(targets_camera, camera, [column, row]));
             let pixels = pixels.collect();
             on_row();
             pixels
         })
         .collect();
-    let (depths, normals) = rows.into_iter().flatten().unzip();
-    Rendering { size: [width, height], depths, normals }
+    let pixels = || rows.iter().flatten();
+    Rendering {
+        size: [width, height],
+        depths: pixels().map(|pixel| pixel.depth).collect(),
+        normals: pixels().map(|pixel| pixel.normal).collect(),
+        solids: pixels().map(|pixel| pixel.solid).collect(),
+    }
 }
 
-fn pixel(
-    target: &impl Hittable,
-    camera: &impl Rays,
-    [column, row]: [u32; 2],
-) -> (f64, Vector3<f64>) {
+/// What is seen in a pixel.
+struct Pixel {
+    depth: f64,
+    normal: Vector3<f64>,
+    solid: usize,
+}
+
+fn pixel(targets: &[impl Hittable], camera: &impl Rays, [column, row]: [u32; 2]) -> Pixel {
     let ray = camera.ray(f64::from(column), f64::from(row));
-    let hit = ray.and_then(|ray| target.first_hit(&ray));
-    hit.map_or((0.0, Vector3::zeros()), |hit| (hit.position.z, hit.normal))
+    let hits = targets.iter().enumerate().filter_map(|(solid, target)| {
+        let hit = target.first_hit(ray.as_ref()?)?;
+        Some(Pixel { depth: hit.position.z, normal: hit.normal, solid })
+    });
+    let nearest = hits.reduce(|a, b| if b.depth < a.depth { b } else { a });
+    nearest.unwrap_or(Pixel { depth: 0.0, normal: Vector3::zeros(), solid: 0 })
 }

@@ -215,7 +215,9 @@ fn depth_of_a_ball_is_the_same_for_a_central_and_a_parallel_camera_on_the_axis()
     let central: Camera = serde_json::from_str(text).unwrap();
     let parallel =
         OrthographicCamera { scale: [6.0; 2], origin: [10.0, 8.0], width: 21, height: 17 };
-    let [central, parallel] = [render(&target, &central, || ()), render(&target, &parallel, || ())];
+    let targets = [target];
+    let [central, parallel] =
+        [render(&targets, &central, || ()), render(&targets, &parallel, || ())];
     for rendering in [&central, &parallel] {
         let middle = 8 * 21 + 10;
         assert!((rendering.depths[middle] - 4.0).abs() < 1e-12);

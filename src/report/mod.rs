@@ -1,17 +1,22 @@
 //! Documents for machines (JSON) and tables for people.
 
+mod camera_document;
 mod deformation_document;
 mod document;
 mod info;
 mod model_document;
 mod primitive_document;
+mod scene_document;
 mod shape_document;
 mod solid_document;
+mod solid_info;
 mod table;
 
 pub use document::{FIT_SCHEMA, FitDocument};
 pub use info::InfoDocument;
 pub use model_document::{DocumentError, ModelDocument, any_model_from_json, model_from_json};
 pub use primitive_document::{PrimitiveInfoDocument, primitive_from_json};
+pub use scene_document::{scene_from_json, scene_from_toml};
 pub use solid_document::solid_from_json;
-pub use table::{fit_line, fit_table, model_table, primitive_table};
+pub use solid_info::{SceneInfoDocument, SolidInfoDocument};
+pub use table::{fit_line, fit_table, model_table, primitive_table, scene_table, solid_table};

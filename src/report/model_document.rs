@@ -50,12 +50,47 @@ pub enum DocumentError {
     /// A union, intersection or difference of nothing.
     #[error("expected a list of at least one solid after union, intersection or difference")]
     Parts,
+    /// Not TOML.
+    #[error("expected a scene in TOML: {0}")]
+    Toml(String),
+    /// A scene with a key that is missing, unknown, or of the wrong type.
+    #[error("expected a scene: {0}")]
+    Scene(String),
+    /// A camera of a scene that is none.
+    #[error("{0}")]
+    Camera(String),
+    /// A key that means nothing.
+    #[error("unknown key `{0}`")]
+    UnknownKey(String),
+    /// A value outside its domain.
+    #[error("expected {expected}, found {found}")]
+    Value {
+        /// What would have done.
+        expected: String,
+        /// What is there.
+        found: String,
+    },
+    /// An error in a part of a document.
+    #[error("{place}: {source}")]
+    At {
+        /// The part, such as `union[2]`.
+        place: String,
+        /// What is wrong there.
+        source: Box<DocumentError>,
+    },
     /// A profile that no document can describe.
     #[error("a profile that is neither line, polyline nor spline has no JSON form")]
     Function,
     /// Euler angles and rotation matrix that contradict each other.
     #[error("pose.euler_zyz and pose.rotation differ by {0:e}")]
     Contradiction(f64),
+}
+
+impl DocumentError {
+    /// The error in a part of a document.
+    pub(super) fn at(self, place: impl Into<String>) -> Self {
+        Self::At { place: place.into(), source: Box::new(self) }
+    }
 }
 
 /// A model: `{"shape": {..}, "deformations": [..], "pose": {..}}`, the latter two if need be.

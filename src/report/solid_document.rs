@@ -1,6 +1,6 @@
 //! The JSON form of solids; its schema stands in `schema/solid-1.schema.json`.
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use super::model_document::{DocumentError, ModelDocument, document_of};
 use crate::solid::{Primitive, Tree};
@@ -14,26 +14,67 @@ pub fn solid_from_json(text: &str) -> Result<Tree, DocumentError> {
     solid_of(&serde_json::from_str(text)?)
 }
 
-fn solid_of(value: &Value) -> Result<Tree, DocumentError> {
-    let parts = |key: &str| value.get(key).map(parts_of);
-    if let Some(parts) = parts("union") {
-        return Ok(Tree::Union(parts?));
-    }
-    if let Some(parts) = parts("intersection") {
-        return Ok(Tree::Intersection(parts?));
-    }
-    if let Some(parts) = parts("difference") {
-        let mut parts = parts?.into_iter();
-        let from = parts.next().ok_or(DocumentError::Parts)?;
-        return Ok(Tree::Difference(Box::new(from), parts.collect()));
+/// The solid of a document; keys that mean nothing are left alone.
+pub(super) fn solid_of(value: &Value) -> Result<Tree, DocumentError> {
+    tree_of(value, &|_, _| Ok(()))
+}
+
+/// The solid of a document whose every key has a meaning: one that is misspelt is an error.
+pub(super) fn strict_solid_of(value: &Value) -> Result<Tree, DocumentError> {
+    tree_of(value, &|value, known| match unknown_key(value, known) {
+        Some(path) => Err(DocumentError::UnknownKey(path[1..].to_owned())),
+        None => Ok(()),
+    })
+}
+
+/// What may be said of a document, given another that has all keys that are known.
+type Check<'a> = &'a dyn Fn(&Value, &Value) -> Result<(), DocumentError>;
+
+fn tree_of(value: &Value, check: Check) -> Result<Tree, DocumentError> {
+    for key in ["union", "intersection", "difference"] {
+        let Some(parts) = value.get(key) else { continue };
+        check(value, &json!({ key: parts }))?;
+        let parts = parts_of(key, parts, check)?;
+        return Ok(match key {
+            "union" => Tree::Union(parts),
+            "intersection" => Tree::Intersection(parts),
+            _ => difference(parts)?,
+        });
     }
     let document: ModelDocument = document_of(value)?;
+    check(value, &serde_json::to_value(&document)?)?;
     Ok(Primitive::try_from(&document)?.into())
 }
 
-fn parts_of(value: &Value) -> Result<Vec<Tree>, DocumentError> {
+fn parts_of(key: &str, value: &Value, check: Check) -> Result<Vec<Tree>, DocumentError> {
     let parts = value.as_array().filter(|parts| !parts.is_empty()).ok_or(DocumentError::Parts)?;
-    parts.iter().map(solid_of).collect()
+    let solid = |(i, part)| tree_of(part, check).map_err(|error| error.at(format!("{key}[{i}]")));
+    parts.iter().enumerate().map(solid).collect()
+}
+
+fn difference(parts: Vec<Tree>) -> Result<Tree, DocumentError> {
+    let mut parts = parts.into_iter();
+    let from = parts.next().ok_or(DocumentError::Parts)?;
+    Ok(Tree::Difference(Box::new(from), parts.collect()))
+}
+
+/// The first key of a document, by its path (`.pose.turn`), that another has not got.
+fn unknown_key(value: &Value, known: &Value) -> Option<String> {
+    match (value, known) {
+        (Value::Object(value), Value::Object(known)) => value.iter().find_map(|(key, value)| {
+            match known.get(key) {
+                Some(known) => unknown_key(value, known).map(|inner| format!(".{key}{inner}")),
+                // What optional keys have that say nothing.
+                None => (![Value::Null, json!([])].contains(value)).then(|| format!(".{key}")),
+            }
+        }),
+        (Value::Array(value), Value::Array(known)) => {
+            value.iter().zip(known).enumerate().find_map(|(i, (value, known))| {
+                unknown_key(value, known).map(|inner| format!("[{i}]{inner}"))
+            })
+        }
+        _ => None,
+    }
 }
 
 #[cfg(test)]
@@ -72,6 +113,27 @@ mod tests {
         assert!(message(r#"{"union": []}"#).contains("at least one"));
         assert!(message(r#"{"union": {}}"#).contains("at least one"));
         assert!(message(&BORED.replace("[0.2, 1]", "[0.2, -1]")).contains("exponents[1]"));
-        assert!(message(r#"{"union": [{"pose": {}}]}"#).contains("shape"));
+        let nested = message(r#"{"union": [{"intersection": [{"pose": {}}]}]}"#);
+        assert!(nested.starts_with("union[0]: intersection[0]: ") && nested.contains("shape"));
+    }
+
+    #[test]
+    fn where_every_key_counts_misspelt_ones_are_named() {
+        let value = |text: &str| serde_json::from_str::<Value>(text).unwrap();
+        assert_eq!(strict_solid_of(&value(BORED)).unwrap(), solid_from_json(BORED).unwrap());
+        let pedantic = BORED.replace("\"pose\"", "\"deformations\": [], \"pose\"");
+        assert_eq!(strict_solid_of(&value(&pedantic)).unwrap(), solid_from_json(BORED).unwrap());
+        for (from, to, expected) in [
+            ("translation", "translaton", "union[1]: unknown key `pose.translaton`"),
+            ("deformations", "deformation", "difference[1]: unknown key `deformation`"),
+            ("\"kind\"", "\"axle\": 1, \"kind\"", "unknown key `deformations[0].axle`"),
+            ("{\"union\"", "{\"pose\": {}, \"union\"", "difference[0]: unknown key `pose`"),
+            ("\"family\"", "\"ring\": 2, \"family\"", "unknown key `shape.ring`"),
+        ] {
+            let misspelt = BORED.replace(from, to);
+            assert!(solid_from_json(&misspelt).is_ok(), "{misspelt}");
+            let message = strict_solid_of(&value(&misspelt)).unwrap_err().to_string();
+            assert!(message.contains(expected), "{message:?} does not name {expected:?}");
+        }
     }
 }

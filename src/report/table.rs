@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use super::model_document::DocumentError;
 use super::primitive_document::masses;
+use super::solid_info::{SceneInfoDocument, SolidInfoDocument};
 use crate::model::Model;
 use crate::recover::Fit;
 use crate::shape::{Shape, Solid};
@@ -116,6 +117,34 @@ pub fn primitive_table(primitive: &Primitive<Shape>) -> Result<String, DocumentE
     line(&mut table, "box min", &vector(min.as_slice(), DIGITS));
     line(&mut table, "box max", &vector(max.as_slice(), DIGITS));
     Ok(table)
+}
+
+/// What is known of a solid that is made of several models, for people.
+pub fn solid_table(info: &SolidInfoDocument) -> String {
+    let mut table = String::new();
+    let [least, most] = info.volume_bounds.map(|bound| number(bound, DIGITS));
+    line(&mut table, "models", &info.models.to_string());
+    line(&mut table, "volume", &format!("{least} to {most}"));
+    box_lines(&mut table, info.bounding_box);
+    table
+}
+
+/// What is known of a scene, for people.
+pub fn scene_table(info: &SceneInfoDocument) -> String {
+    let mut table = String::new();
+    for (i, solid) in info.solids.iter().enumerate() {
+        line(&mut table, "solid", &(i + 1).to_string());
+        table += &solid_table(solid);
+    }
+    line(&mut table, "all", &format!("{} solids", info.solids.len()));
+    box_lines(&mut table, info.bounding_box);
+    table
+}
+
+fn box_lines(table: &mut String, bounding_box: Option<[[f64; 3]; 2]>) {
+    let Some([min, max]) = bounding_box else { return line(table, "box", "empty") };
+    line(table, "box min", &vector(&min, DIGITS));
+    line(table, "box max", &vector(&max, DIGITS));
 }
 
 fn parameters(model: &Model<Shape>) -> String {

@@ -30,6 +30,16 @@ impl<S> From<Primitive<S>> for Tree<Primitive<S>> {
 }
 
 impl<L> Tree<L> {
+    /// The number of leaves.
+    pub fn leaves(&self) -> usize {
+        let of = |parts: &[Self]| parts.iter().map(Self::leaves).sum::<usize>();
+        match self {
+            Self::Leaf(_) => 1,
+            Self::Union(parts) | Self::Intersection(parts) => of(parts),
+            Self::Difference(from, parts) => from.leaves() + of(parts),
+        }
+    }
+
     /// The tree of what a function makes of the leaves.
     pub fn map<M>(&self, function: &impl Fn(&L) -> M) -> Tree<M> {
         let all = |parts: &[Self]| parts.iter().map(|part| part.map(function)).collect();

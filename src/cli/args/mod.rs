@@ -40,6 +40,7 @@ Examples:
   superquadric contour fit.json --camera camera.json -o outline.svg
   superquadric overlay fit.json --camera camera.json --image photo.png -o overlay.png
   superquadric render fit.json --camera camera.json --shaded picture.png
+  superquadric render scene.toml --shaded picture.png --depth depth.npy
   superquadric export fit.json --to lammps -o particle.data
   superquadric import particle.data --from lammps -o model.json
 
@@ -92,10 +93,10 @@ impl SearchArgs {
     }
 }
 
-/// Write a mesh of the surface of a model, with its parameters in the file, or of a solid.
+/// Write a mesh of the surface of a model, with its parameters in the file, or of a solid or scene.
 #[derive(Debug, clap::Args)]
 pub(super) struct MeshArgs {
-    /// A fit or a bare model in JSON; - is stdin.
+    /// A fit, a bare model, a solid or a scene, .json or .toml; - is stdin, for JSON.
     pub model: PathBuf,
     /// File to write: .ply, .obj, .stl or .glb.
     #[arg(short, long, value_name = "MESH")]
@@ -105,9 +106,11 @@ pub(super) struct MeshArgs {
 }
 
 /// Tell what is known of a model: axes, extents, volume, area, inertia, bounding box.
+///
+/// Of what is made of several models, a solid or a scene: volume, between bounds, and bounding box.
 #[derive(Debug, clap::Args)]
 pub(super) struct InfoArgs {
-    /// A fit or a bare model in JSON; - is stdin.
+    /// A fit, a bare model, a solid or a scene, .json or .toml; - is stdin, for JSON.
     pub model: PathBuf,
     /// Print JSON instead of a table.
     #[arg(long)]

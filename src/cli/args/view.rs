@@ -65,15 +65,24 @@ pub(in crate::cli) struct OverlayArgs {
     pub output: PathBuf,
 }
 
-/// Cast rays at a model or a solid: depths, normals, a shaded picture.
+/// Cast rays at a scene, a solid or a model: depths, normals, a shaded picture.
 ///
 /// A solid is a model, or {"union": [..]}, {"intersection": [..]} or {"difference": [..]} of solids;
-/// models may be deformed.
+/// models may be deformed. A scene, in JSON or TOML, has solids, each with its material, a camera
+/// and lights: {"solids": [{"solid": {..}, "material": {..}}], "camera": {..}, "lights": [..]}.
 #[derive(Debug, clap::Args)]
 #[command(group = clap::ArgGroup::new("outputs").required(true).multiple(true))]
 pub(in crate::cli) struct RenderArgs {
-    #[command(flatten)]
-    pub view: ViewArgs,
+    /// A scene, a solid, a fit or a bare model, .json or .toml; - is stdin, for JSON. What is no
+    /// scene is in the camera's frame (x right, y down, z forward) unless --pose tells another.
+    pub scene: PathBuf,
+    /// Intrinsics, in the place of the scene's: a file as `contour` takes it.
+    #[arg(long, value_name = "CAM")]
+    pub camera: Option<PathBuf>,
+    /// Where the camera stands, in the place of the scene's: JSON with camera_from_world or
+    /// world_from_camera, rows [R | t].
+    #[arg(long, value_name = "POSE.json")]
+    pub pose: Option<PathBuf>,
     /// Depths to write, z in the camera's frame and 0 where nothing is hit: .npy, or PNG of 16
     /// bits.
     #[arg(long, value_name = "DEPTH", group = "outputs")]
@@ -84,7 +93,7 @@ pub(in crate::cli) struct RenderArgs {
     /// Normals to write: PNG, x, y and z of the camera's frame as red, green and blue.
     #[arg(long, value_name = "N.png", group = "outputs")]
     pub normals: Option<PathBuf>,
-    /// Picture to write, lit by three lights: PNG.
+    /// Picture to write, lit by the scene's lights, or by three: PNG.
     #[arg(long, value_name = "S.png", group = "outputs")]
     pub shaded: Option<PathBuf>,
 }
