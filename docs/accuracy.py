@@ -156,7 +156,8 @@ def _shortcomings(results):
         if poor
         else "It recovers nine in ten of the scenes of every level.\n"
     )
-    return f"Of all fits by `geometric` {trusted} are trusted, {wrongly} of these wrongly.\n\n{below}"
+    count = f"Of all fits by `geometric` {trusted} are trusted, {wrongly} of these wrongly."
+    return f"{count}\n\n{below}"
 
 
 def _poor(suite, levels):

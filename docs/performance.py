@@ -38,8 +38,8 @@ Made on {date} by
 
     {command}
 
-with superquadric {version} on {cpu} ({cores} cores, load {load:.1f} before). One thread; medians over
-{shapes} random shapes, 1 % of noise.
+with superquadric {version} on {cpu} ({cores} cores, load {load:.1f} before). One thread; medians
+over {shapes} random shapes, 1 % of noise.
 
 ## Complete clouds, against SciPy
 

@@ -8,15 +8,15 @@ use super::error::CliError;
 use super::input::{name, read_scene};
 use super::progress::Progress;
 use crate::output::write_whole;
-use crate::ray::{AnyCamera, Rays, Rendering, Scene};
-use crate::view::{Camera, read_camera_from_world};
+use crate::ray::{Rendering, Scene};
+use crate::view::{AnyCamera, read_camera_from_world};
 
 /// Unit of a depth image's counts if neither the camera nor the user tells one: a millimetre.
 const DEPTH_UNIT: f64 = 1e-3;
 
 pub(super) fn run(args: &RenderArgs) -> Result<u8, CliError> {
     let mut scene = read_scene(&args.scene)?;
-    let typed = args.camera.as_ref().map(Camera::read).transpose()?.map(AnyCamera::Pinhole);
+    let typed = args.camera.as_ref().map(AnyCamera::read).transpose()?;
     let camera = typed.or(scene.camera).ok_or_else(|| CliError::NoCamera(name(&args.scene)))?;
     if let Some(pose) = &args.pose {
         scene.camera_from_world = read_camera_from_world(pose)?;

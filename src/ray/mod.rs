@@ -10,7 +10,7 @@ mod target;
 
 pub use hits::Ray;
 pub use render::{Rays, Rendering, render};
-pub use scene::{AnyCamera, Item, Lighting, Scene, camera_looking_at};
+pub use scene::{Item, Lighting, Scene, camera_looking_at};
 pub use shading::{Light, Material, Shading, Source};
 pub use solid_target::SolidTarget;
 pub(crate) use target::outward_normal;

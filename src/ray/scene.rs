@@ -9,16 +9,7 @@ use super::shading::{Light, Material, Shading};
 use super::solid_target::SolidTarget;
 use crate::pose::Pose;
 use crate::solid::Tree;
-use crate::view::{Camera, OrthographicCamera};
-
-/// A camera of either kind.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum AnyCamera {
-    /// Central, with a lens.
-    Pinhole(Camera),
-    /// Parallel.
-    Orthographic(OrthographicCamera),
-}
+use crate::view::AnyCamera;
 
 impl Rays for AnyCamera {
     fn ray(&self, column: f64, row: f64) -> Option<Ray> {
@@ -29,10 +20,7 @@ impl Rays for AnyCamera {
     }
 
     fn size(&self) -> [u32; 2] {
-        match self {
-            Self::Pinhole(camera) => Rays::size(camera),
-            Self::Orthographic(camera) => Rays::size(camera),
-        }
+        self.size()
     }
 }
 

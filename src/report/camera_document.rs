@@ -5,8 +5,8 @@ use serde::Deserialize;
 
 use super::model_document::DocumentError;
 use crate::pose::Pose;
-use crate::ray::{AnyCamera, Rays, camera_looking_at};
-use crate::view::{Camera, Distortion, OrthographicCamera};
+use crate::ray::camera_looking_at;
+use crate::view::{AnyCamera, Camera, Distortion, OrthographicCamera};
 
 /// Most columns or rows of a picture.
 const MOST_PIXELS: u32 = 16_384;
@@ -87,11 +87,8 @@ impl PinholeDocument {
 impl OrthographicDocument {
     fn camera(&self) -> Result<OrthographicCamera, DocumentError> {
         let Self { scale, origin, width, height, .. } = *self;
-        let is_positive = |part: &f64| part.is_finite() && *part > 0.0;
-        if !scale.iter().all(is_positive) || !origin.iter().all(|part| part.is_finite()) {
-            return Err(invalid("a positive scale and a finite origin"));
-        }
-        Ok(OrthographicCamera { scale, origin, width, height })
+        let camera = OrthographicCamera { scale, origin, width, height };
+        camera.checked().map_err(|error| DocumentError::Camera(error.to_string()))
     }
 }
 

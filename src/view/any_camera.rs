@@ -63,15 +63,6 @@ impl AnyCamera {
 impl OrthographicDocument {
     fn camera(self) -> Result<OrthographicCamera, ImageProblem> {
         let Self { scale, origin, width, height } = self;
-        let is_positive = |value: &f64| value.is_finite() && *value > 0.0;
-        if !scale.iter().all(is_positive) {
-            let expected = format!("a scale of two positive numbers, found {scale:?}");
-            return Err(ImageProblem::CameraModel(expected));
-        }
-        if !origin.iter().all(|value| value.is_finite()) {
-            let expected = format!("an origin of two finite numbers, found {origin:?}");
-            return Err(ImageProblem::CameraModel(expected));
-        }
-        Ok(OrthographicCamera { scale, origin, width, height })
+        OrthographicCamera { scale, origin, width, height }.checked()
     }
 }

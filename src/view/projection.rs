@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use super::camera::Camera;
+use super::error::ImageProblem;
 use super::rim::Viewpoint;
 use crate::model::Model;
 use crate::pose::Pose;
@@ -71,6 +72,22 @@ pub struct OrthographicCamera {
     pub width: u32,
     /// Number of rows.
     pub height: u32,
+}
+
+impl OrthographicCamera {
+    /// The camera itself, if its numbers are a camera's.
+    pub(crate) fn checked(self) -> Result<Self, ImageProblem> {
+        let Self { scale, origin, .. } = &self;
+        if !scale.iter().all(|value| value.is_finite() && *value > 0.0) {
+            let expected = format!("a scale of two positive numbers, found {scale:?}");
+            return Err(ImageProblem::CameraModel(expected));
+        }
+        if !origin.iter().all(|value| value.is_finite()) {
+            let expected = format!("an origin of two finite numbers, found {origin:?}");
+            return Err(ImageProblem::CameraModel(expected));
+        }
+        Ok(self)
+    }
 }
 
 impl Projection for OrthographicCamera {

@@ -1,5 +1,5 @@
 use super::*;
-use crate::ray::AnyCamera;
+use crate::view::AnyCamera;
 
 const JSON: &str = r#"{
     "schema": "superquadric.scene/1",
