@@ -92,18 +92,21 @@ pub(super) struct PySupertoroid(Supertoroid);
 pub(super) struct PyThreeExponent(ThreeExponent);
 
 /// The methods of a kind that has one more parameter than size and exponents.
+///
+/// Not formatted by rustfmt, which would indent the attribute further each time.
+#[rustfmt::skip]
 macro_rules! kind_with_parameter {
     ($class:ident, $family:ident, $parameter:ident, $documentation:literal, $signature:literal) => {
         #[pymethods]
         impl $class {
             #[new]
             #[pyo3(
-                                        signature = (
-                                            size, exponents, $parameter, *,
-                                            euler_zyz = None, rotation = None, translation = None
-                                        ),
-                                        text_signature = $signature
-                                    )]
+                signature = (
+                    size, exponents, $parameter, *,
+                    euler_zyz = None, rotation = None, translation = None
+                ),
+                text_signature = $signature
+            )]
             fn new(
                 size: &Bound<'_, PyAny>,
                 exponents: &Bound<'_, PyAny>,

@@ -12,6 +12,7 @@ use super::errors::os_error;
 use super::pose::pose_of;
 use crate::model::Model;
 use crate::output::write_whole;
+use crate::pose::Pose;
 use crate::report::{ModelDocument, model_from_json};
 use crate::shape::{Solid, Superellipsoid};
 use crate::surface::{Resolution, sample_solid, sample_surface, tessellate};
@@ -290,6 +291,13 @@ impl PyModel {
     fn support<'py>(&self, directions: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
         Doubles::new("directions", directions)?
             .map_rows(directions.py(), |direction| self.0.support(direction))
+    }
+
+    /// The dual, on which the normals lie, centred at the origin: semi-axes `1/a`, exponents
+    /// `2 - e` (B81, JLS Eq. 2.39).
+    fn dual(&self) -> PyResult<Self> {
+        let pose = Pose::new(*self.0.pose.rotation(), Vector3::zeros());
+        Ok(Self(Model { shape: self.0.shape.dual()?, pose }))
     }
 
     /// `n` random points of the surface, uniform by area: float64 of shape (n, 3), the same for

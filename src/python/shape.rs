@@ -13,6 +13,7 @@ use super::families::to_python;
 use super::model::square;
 use crate::model::Model;
 use crate::output::write_whole;
+use crate::pose::Pose;
 use crate::report::{ModelDocument, any_model_from_json};
 use crate::shape::{Parametric, Shape, Solid};
 use crate::surface::{Resolution, tessellate_shape};
@@ -194,6 +195,12 @@ impl PyShape {
     fn support<'py>(&self, directions: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
         Doubles::new("directions", directions)?
             .map_rows(directions.py(), |direction| self.0.support(direction))
+    }
+
+    /// The dual, on which the normals lie, centred at the origin: an object of its kind.
+    fn dual(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
+        let pose = Pose::new(*self.0.pose.rotation(), Vector3::zeros());
+        to_python(py, Model { shape: self.0.shape.dual()?, pose })
     }
 
     /// A closed mesh of the boundary: vertices, float64 of shape (v, 3), and triangles, uint32 of

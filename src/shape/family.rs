@@ -10,6 +10,7 @@ use super::superellipsoid::Superellipsoid;
 use super::supertoroid::Supertoroid;
 use super::three_exponent::ThreeExponent;
 use super::two_sheets::SuperhyperboloidTwoSheets;
+use crate::error::ModelError;
 
 /// A shape of any family, in its own frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,6 +50,15 @@ impl Shape {
             Self::Supertoroid(_) => "supertoroid",
             Self::ThreeExponent(_) => "three_exponent",
         }
+    }
+
+    /// The dual: the shape on which the normals lie (B81; JLS Eq. 2.39). Its own dual is this
+    /// shape, but that of a supertoroid's, which knows of the tube only.
+    ///
+    /// # Errors
+    /// If an exponent is one that has no dual.
+    pub fn dual(&self) -> Result<Self, ModelError> {
+        of_any_family!(self, shape => Ok(shape.dual()?.into()))
     }
 }
 

@@ -179,3 +179,22 @@ def test_derivatives_are_those_of_differences(model):
         ahead, behind = (model.inside_outside_gradient(points + s * offset) for s in (1, -1))
         expected = (ahead - behind) / (2 * step)
         np.testing.assert_allclose(hessian[:, k], expected, rtol=1e-5, atol=1e-5)
+
+
+@pytest.mark.parametrize("model", shapes(**POSE), ids=ids)
+def test_the_dual_of_the_dual_is_the_shape_and_of_a_ring_its_tube(model):
+    again = model.dual().dual().to_dict()["shape"]
+    shape = model.to_dict()["shape"]
+    if model.family == "supertoroid":
+        assert again["family"] == "superellipsoid"
+    else:
+        assert again["family"] == shape["family"]
+    np.testing.assert_allclose(again["size"], shape["size"], rtol=1e-14)
+    np.testing.assert_allclose(again["exponents"], shape["exponents"], rtol=1e-14)
+
+
+def test_normals_lie_on_the_dual_superellipsoid():
+    model = superquadric.Superellipsoid(SIZE, EXPONENTS, **POSE)
+    normals = model.inside_outside_gradient(model.position(np.linspace(-1, 1, 5), 0.4))
+    on_dual = normals * EXPONENTS[0] / 2
+    np.testing.assert_allclose(model.dual().inside_outside(on_dual), 1, rtol=1e-10)
