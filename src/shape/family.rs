@@ -53,7 +53,8 @@ impl Shape {
     }
 
     /// The dual: the shape on which the normals lie (B81; JLS Eq. 2.39). Its own dual is this
-    /// shape, but that of a supertoroid's, which knows of the tube only.
+    /// shape; but that of a supertoroid's is the tube alone, and three exponents that differ leave
+    /// other semi-axes.
     ///
     /// # Errors
     /// If an exponent is one that has no dual.

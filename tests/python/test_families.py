@@ -185,12 +185,12 @@ def test_derivatives_are_those_of_differences(model):
 def test_the_dual_of_the_dual_is_the_shape_and_of_a_ring_its_tube(model):
     again = model.dual().dual().to_dict()["shape"]
     shape = model.to_dict()["shape"]
-    if model.family == "supertoroid":
-        assert again["family"] == "superellipsoid"
-    else:
-        assert again["family"] == shape["family"]
-    np.testing.assert_allclose(again["size"], shape["size"], rtol=1e-14)
+    is_ring = model.family == "supertoroid"
+    assert again["family"] == ("superellipsoid" if is_ring else shape["family"])
     np.testing.assert_allclose(again["exponents"], shape["exponents"], rtol=1e-14)
+    # Three exponents that differ have each an axis' scale of their own.
+    if model.family != "three_exponent":
+        np.testing.assert_allclose(again["size"], shape["size"], rtol=1e-14)
 
 
 def test_normals_lie_on_the_dual_superellipsoid():
