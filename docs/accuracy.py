@@ -127,7 +127,7 @@ def _page(results, scenes):
         date=datetime.date.today().isoformat(),
         command=f"python docs/accuracy.py --scenes {scenes}",
         version=superquadric.__version__,
-        cpu=_cpu(),
+        cpu=cpu(),
         cores=os.cpu_count(),
         scenes=scenes,
         shortcomings=_shortcomings(results),
@@ -165,7 +165,7 @@ def _poor(suite, levels):
     return f"- {suite}: {', '.join(names)}\n" if names else ""
 
 
-def _cpu():
+def cpu():
     try:
         text = Path("/proc/cpuinfo").read_text(encoding="utf-8")
     except OSError:

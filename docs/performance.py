@@ -17,7 +17,7 @@ os.environ["OPENBLAS_NUM_THREADS"] = "1"
 
 import numpy as np
 import scipy_fit
-from accuracy import _cpu
+from accuracy import cpu
 
 import superquadric
 from superquadric.batch.plots import figure_of, saved
@@ -76,7 +76,7 @@ def main():
         date=datetime.date.today().isoformat(),
         command=f"python docs/performance.py --shapes {options.shapes}",
         version=superquadric.__version__,
-        cpu=_cpu(),
+        cpu=cpu(),
         cores=os.cpu_count(),
         load=load,
         shapes=options.shapes,

@@ -59,11 +59,11 @@ impl Search {
     /// Descends from the principal axes, by switches, and from the frames between them.
     pub fn coarse(points: &PointSet, moments: &Moments) -> Self {
         let mut search = Self::default();
-        search.try_all(points, &principal_starts(moments), &BRIEF);
+        search.try_all(points, &principal_starts(moments));
         search.try_switches(points);
         if !search.has_clear_winner() {
             let before = search.least_loss();
-            search.try_all(points, &ambiguous_starts(moments), &BRIEF);
+            search.try_all(points, &ambiguous_starts(moments));
             if search.least_loss() < WORTHWHILE * before {
                 search.try_switches(points);
             }
@@ -90,7 +90,7 @@ impl Search {
             let starts: Vec<Model> =
                 other_frames(&model).into_iter().chain(deflated(&model)).collect();
             let mut others = Self::default();
-            others.try_all(points, &starts, &BRIEF);
+            others.try_all(points, &starts);
             self.passes += others.passes;
             self.starts += others.starts;
             if let Some(other) = others.into_best().filter(|other| other.loss < NEAR * before) {
@@ -113,7 +113,7 @@ impl Search {
         for _ in 0..SWITCH_ROUNDS {
             let Some(best) = self.candidates.first() else { return };
             let (model, before) = (best.model, best.loss);
-            self.try_all(points, &switches(&model), &BRIEF);
+            self.try_all(points, &switches(&model));
             if self.least_loss() >= WORTHWHILE * before {
                 return;
             }
@@ -146,10 +146,10 @@ impl Search {
         self.candidates.first().map_or(f64::INFINITY, |best| best.loss)
     }
 
-    fn try_all(&mut self, points: &PointSet, starts: &[Model], effort: &Effort) {
+    fn try_all(&mut self, points: &PointSet, starts: &[Model]) {
         for start in starts {
             self.starts += 1;
-            self.descend(points, start, effort);
+            self.descend(points, start, &BRIEF);
         }
     }
 

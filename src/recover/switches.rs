@@ -19,19 +19,17 @@ const EDGE_LEFT: f64 = 0.6;
 
 /// The models to try beside a model that a descent has ended in.
 pub(crate) fn switches(model: &Model) -> Vec<Model> {
-    [axis_switch(model, [1, 2, 0]), axis_switch(model, [2, 0, 1]), dual_switch(model)]
-        .into_iter()
-        .flatten()
-        .collect()
+    axis_switches(model).into_iter().chain(dual_switch(model)).collect()
 }
 
-/// All other frames that a model may hide in: each axis as z, and the dual of each.
+/// All other frames that a model may hide in: its switches, and the duals of other axes as z.
 pub(crate) fn other_frames(model: &Model) -> Vec<Model> {
-    let others = [[1, 2, 0], [2, 0, 1]].map(|order| axis_switch(model, order));
-    let duals = [dual_switch(model)]
-        .into_iter()
-        .chain(others.map(|other| other.as_ref().and_then(dual_switch)));
-    others.into_iter().chain(duals).flatten().collect()
+    let duals = axis_switches(model).into_iter().filter_map(|other| dual_switch(&other));
+    switches(model).into_iter().chain(duals).collect()
+}
+
+fn axis_switches(model: &Model) -> Vec<Model> {
+    [[1, 2, 0], [2, 0, 1]].into_iter().filter_map(|order| axis_switch(model, order)).collect()
 }
 
 /// The model shrunk towards the points' centroid, the origin, and rounded: descents grow sizes and
