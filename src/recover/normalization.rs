@@ -74,8 +74,9 @@ impl Moments {
     /// Those of at least one point. A radius of zero (all points coincide) is replaced by one;
     /// that of a cloud at the end of the range of numbers is its reach, without axes.
     pub fn of(points: PointColumns) -> Self {
-        let centroid = points.map(mean);
-        let reach = reach(points, &centroid);
+        let spans = points.map(Span::of);
+        let centroid = spans.map(|span| span.mean);
+        let reach = spans.iter().fold(0.0, |most: f64, span| most.max(span.reach()));
         let (radius, scatter) = if reach == 0.0 {
             (1.0, Matrix3::zeros())
         } else if !reach.recip().is_normal() {
@@ -86,7 +87,8 @@ impl Moments {
             (reach * spread.sqrt(), scatter / spread)
         };
         let (axes, deviations) = principal_axes(&scatter);
-        let greatest_magnitude = greatest_magnitude(points);
+        let greatest_magnitude =
+            spans.iter().fold(0.0, |greatest: f64, span| greatest.max(span.greatest_magnitude()));
         Self {
             normalization: Normalization { centroid, radius, inverse_radius: radius.recip() },
             axes,
@@ -97,36 +99,77 @@ impl Moments {
     }
 }
 
-/// The mean, taken relative to the first value so that a far offset costs no digits.
-fn mean(values: &[f64]) -> f64 {
-    let first = values[0];
-    first + values.iter().map(|value| value - first).sum::<f64>() / values.len() as f64
+/// Values summed side by side: a sum that waits for the one before it would take most of the time.
+const LANES: usize = 8;
+
+/// What is wanted of one coordinate of all points.
+#[derive(Debug, Clone, Copy)]
+struct Span {
+    low: f64,
+    high: f64,
+    mean: f64,
 }
 
-/// The greatest difference of a coordinate from the centroid's.
-fn reach(points: PointColumns, centroid: &[f64; 3]) -> f64 {
-    let greatest = |k: usize| {
-        points[k].iter().fold(0.0, |most: f64, value| most.max((value - centroid[k]).abs()))
-    };
-    greatest(0).max(greatest(1)).max(greatest(2))
+impl Span {
+    /// The mean is taken relative to the first value so that a far offset costs no digits.
+    fn of(values: &[f64]) -> Self {
+        let first = values[0];
+        let (mut low, mut high, mut sums) = ([first; LANES], [first; LANES], [0.0; LANES]);
+        let (whole, rest) = values.as_chunks::<LANES>();
+        let mut last = [first; LANES];
+        last[..rest.len()].copy_from_slice(rest);
+        for lanes in whole.iter().chain([&last]) {
+            for (k, value) in lanes.iter().enumerate() {
+                low[k] = if *value < low[k] { *value } else { low[k] };
+                high[k] = if *value > high[k] { *value } else { high[k] };
+                sums[k] += value - first;
+            }
+        }
+        Self {
+            low: low.into_iter().fold(first, f64::min),
+            high: high.into_iter().fold(first, f64::max),
+            mean: first + sums.iter().sum::<f64>() / values.len() as f64,
+        }
+    }
+
+    /// The greatest difference from the mean.
+    fn reach(&self) -> f64 {
+        (self.high - self.mean).max(self.mean - self.low)
+    }
+
+    fn greatest_magnitude(&self) -> f64 {
+        self.high.abs().max(self.low.abs())
+    }
 }
 
 /// Mean product of coordinates relative to the centroid, in units of `reach`, whose squares
 /// neither overflow nor vanish.
 fn scatter(points: PointColumns, centroid: &[f64; 3], reach: f64) -> Matrix3<f64> {
-    let [xs, ys, zs] = points;
-    let [cx, cy, cz] = centroid;
-    let mut scatter = Matrix3::zeros();
-    for ((x, y), z) in xs.iter().zip(ys).zip(zs) {
-        let d = Vector3::new(x - cx, y - cy, z - cz) * reach.recip();
-        scatter += d * d.transpose();
+    let inverse = reach.recip();
+    let [xs, ys, zs] = points.map(|column| column.as_chunks::<LANES>());
+    let mut sums = [[0.0; LANES]; PRODUCTS.len()];
+    let mut add = |columns: [&[f64]; 3]| {
+        for lane in 0..columns[0].len() {
+            let d: [f64; 3] = std::array::from_fn(|k| (columns[k][lane] - centroid[k]) * inverse);
+            for (sums, [i, j]) in sums.iter_mut().zip(PRODUCTS) {
+                sums[lane] += d[i] * d[j];
+            }
+        }
+    };
+    for ((x, y), z) in xs.0.iter().zip(ys.0).zip(zs.0) {
+        add([x, y, z]);
     }
-    scatter / xs.len() as f64
+    add([xs.1, ys.1, zs.1]);
+    let mut scatter = Matrix3::zeros();
+    for (sums, [i, j]) in sums.iter().zip(PRODUCTS) {
+        let mean = sums.iter().sum::<f64>() / points[0].len() as f64;
+        (scatter[(i, j)], scatter[(j, i)]) = (mean, mean);
+    }
+    scatter
 }
 
-fn greatest_magnitude(points: PointColumns) -> f64 {
-    points.into_iter().flatten().fold(0.0, |greatest: f64, value| greatest.max(value.abs()))
-}
+/// The products of two coordinates of one point.
+const PRODUCTS: [[usize; 2]; 6] = [[0, 0], [0, 1], [0, 2], [1, 1], [1, 2], [2, 2]];
 
 /// Principal axes and standard deviations of a scatter matrix, by falling deviation.
 fn principal_axes(scatter: &Matrix3<f64>) -> (Rotation3<f64>, [f64; 3]) {
