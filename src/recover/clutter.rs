@@ -1,16 +1,18 @@
 //! Clutter by nearest neighbours: the points of a surface have nearer neighbours than those
 //! strewn in space.
 //!
-//! The distance D of the k-th neighbour makes `pi l D^2`, on a surface with l points to the unit
-//! area, and `4/3 pi m D^3`, in a space with m points to the unit volume, a Gamma variate of
-//! shape k. The two densities and the share of clutter are estimated by expectation and
-//! maximisation (S. Byers and A. Raftery, Nearest-Neighbor Clutter Removal for Estimating
-//! Features in Spatial Point Processes, JASA 93, 1998; here the feature is a surface).
+//! Surface and clutter are two populations of distances, estimated together (S. Byers and A.
+//! Raftery, Nearest-Neighbor Clutter Removal for Estimating Features in Spatial Point Processes,
+//! JASA 93, 1998; here the feature is a surface).
 //!
 //! Sensors do not sample evenly: a thinly sampled side would pass for clutter. So it also counts
 //! whether a point's neighbours lie in a plane.
 
-use std::f64::consts::{LN_2, PI};
+mod populations;
+
+use std::f64::consts::PI;
+
+use populations::{LEAST_SHARE, Populations};
 
 use super::neighbours::{NEIGHBOUR, Neighbourhood};
 use super::radial::PARAMETERS;
@@ -25,15 +27,8 @@ const QUANTILES: usize = 256;
 /// Rounds of expectation and maximisation.
 const ROUNDS: usize = 40;
 
-/// Gain in mean log-likelihood over one surface without clutter, above which there is clutter:
-/// a single view without any reaches 0.11, 80 % of clutter 0.16, 60 % 1.5.
-const LEAST_GAIN: f64 = 0.12;
-
 /// Least and greatest of what one point's neighbours say, as a ratio of densities.
 const ODDS_BOUNDS: [f64; 2] = [0.02, 50.0];
-
-/// Least share of either population while it is estimated.
-const LEAST_SHARE: f64 = 1e-6;
 
 /// The share of the points that is the densest, and their variation above which it says nothing.
 const DENSEST_SHARE: f64 = 0.15;
@@ -153,9 +148,9 @@ pub(crate) fn seen_area(distances: &[f64], weights: &[f64]) -> f64 {
 
 /// The value that this share of the values does not exceed.
 fn quantile(values: &[f64], share: f64) -> f64 {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    sorted[(share * sorted.len() as f64) as usize]
+    let mut values = values.to_vec();
+    let place = (share * values.len() as f64) as usize;
+    *values.select_nth_unstable_by(place, f64::total_cmp).1
 }
 
 /// As many values that stand for all, each for an equal share of them; all where they are fewer.
@@ -164,104 +159,6 @@ fn quantiles(values: &[f64], count: usize) -> Vec<f64> {
     sorted.sort_by(f64::total_cmp);
     let count = count.min(sorted.len());
     (0..count).map(|i| sorted[(2 * i + 1) * sorted.len() / (2 * count)]).collect()
-}
-
-/// One for the points with the nearer neighbours, none for the others.
-fn nearer_half(distances: &[f64]) -> Vec<f64> {
-    let middle = quantile(distances, 0.5);
-    distances.iter().map(|&distance| f64::from(u8::from(distance <= middle))).collect()
-}
-
-/// A surface among clutter.
-#[derive(Debug, Clone, Copy)]
-struct Populations {
-    clutter_share: f64,
-    /// Points to the unit area.
-    surface_density: f64,
-    /// Points to the unit volume.
-    clutter_density: f64,
-}
-
-impl Populations {
-    /// The surface among clutter that makes distances most likely; none where one surface alone
-    /// explains them.
-    fn find(distances: &[f64]) -> Option<Self> {
-        let without = Self::most_likely(distances, &vec![1.0; distances.len()]);
-        let mut found = Self::most_likely(distances, &nearer_half(distances));
-        for _ in 0..ROUNDS {
-            let on_surface: Vec<f64> = distances.iter().map(|&d| found.on_surface(d)).collect();
-            found = Self::most_likely(distances, &on_surface);
-        }
-        let gain = found.log_likelihood(distances) - without.log_likelihood(distances);
-        let is_clutter_sparser = found.clutter_distance() > found.surface_distance();
-        (gain > LEAST_GAIN && is_clutter_sparser).then_some(found)
-    }
-
-    /// Those that make distances most likely, by the points' weights on the surface.
-    fn most_likely(distances: &[f64], on_surface: &[f64]) -> Self {
-        let (mut near, mut squares, mut cubes) = (0.0, 0.0, 0.0);
-        for (distance, weight) in distances.iter().zip(on_surface) {
-            near += weight;
-            squares += weight * distance.powi(2);
-            cubes += (1.0 - weight) * distance.powi(3);
-        }
-        let count = distances.len() as f64;
-        let clutter_share = (1.0 - near / count).clamp(LEAST_SHARE, 1.0 - LEAST_SHARE);
-        let density = |points: f64, measure: f64| SHAPE * points / measure.max(f64::MIN_POSITIVE);
-        Self {
-            clutter_share,
-            surface_density: density((1.0 - clutter_share) * count, PI * squares),
-            clutter_density: density(clutter_share * count, 4.0 / 3.0 * PI * cubes),
-        }
-    }
-
-    /// Logarithms of the densities of `ln D` on the surface and in clutter, but for a constant.
-    fn log_densities(&self, distance: f64) -> [f64; 2] {
-        let distance = distance.max(f64::MIN_POSITIVE);
-        let area = PI * distance.powi(2) * self.surface_density;
-        let volume = 4.0 / 3.0 * PI * distance.powi(3) * self.clutter_density;
-        // An area or volume that vanishes has the least logarithm there is, not none.
-        let log = |measure: f64| measure.max(f64::MIN_POSITIVE).ln();
-        [LN_2 + SHAPE * log(area) - area, 3.0_f64.ln() + SHAPE * log(volume) - volume]
-    }
-
-    /// Beyond the typical distance in clutter as there: a point far from all is no likelier of the
-    /// surface, though it is unlikely in clutter as well.
-    fn odds(&self, distance: f64) -> f64 {
-        let [low, high] = ODDS_BOUNDS;
-        let distance = distance.min(self.clutter_distance());
-        let [surface, clutter] = self.log_densities(distance);
-        (surface - clutter).exp().clamp(low, high)
-    }
-
-    /// Probability of a point to be of the surface.
-    fn on_surface(&self, distance: f64) -> f64 {
-        let [surface, clutter] = self.log_densities(distance);
-        let log_odds = (self.clutter_share / (1.0 - self.clutter_share)).ln() + clutter - surface;
-        1.0 / (1.0 + log_odds.exp())
-    }
-
-    /// Mean over the points.
-    fn log_likelihood(&self, distances: &[f64]) -> f64 {
-        let of_one = |&distance: &f64| {
-            let [surface, clutter] = self.log_densities(distance);
-            let [surface, clutter] =
-                [surface + (1.0 - self.clutter_share).ln(), clutter + self.clutter_share.ln()];
-            let greater = surface.max(clutter);
-            greater + ((surface - greater).exp() + (clutter - greater).exp()).ln()
-        };
-        distances.iter().map(of_one).sum::<f64>() / distances.len() as f64
-    }
-
-    /// Typical distance of a neighbour on the surface.
-    fn surface_distance(&self) -> f64 {
-        (SHAPE / (PI * self.surface_density)).sqrt()
-    }
-
-    /// Typical distance of a neighbour in clutter.
-    fn clutter_distance(&self) -> f64 {
-        (SHAPE / (4.0 / 3.0 * PI * self.clutter_density)).cbrt()
-    }
 }
 
 #[cfg(test)]
@@ -324,11 +221,5 @@ mod tests {
         let kept: Vec<usize> = (0..SURFACE).filter(is_kept).collect();
         let thinned = columns.each_ref().map(|column| kept.iter().map(|&i| column[i]).collect());
         assert!(find(&thinned).is_none_or(|clutter| clutter.share < 0.05));
-    }
-
-    #[test]
-    fn twins_and_points_without_neighbours_are_no_clutter() {
-        assert!(Populations::find(&[0.0; 20]).is_none());
-        assert!(Populations::find(&[f64::INFINITY; 5]).is_none());
     }
 }

@@ -1,8 +1,15 @@
 //! Neighbours among few points.
 
+mod strips;
+
+use std::ops::Range;
+
 use nalgebra::{Matrix3, Vector3};
 
+use strips::{Strips, Windows};
+
 use crate::cloud::PointColumns;
+use crate::math::vectorized;
 
 /// The neighbour whose distance counts: near enough to stay on a surface, far enough not to be
 /// chance.
@@ -21,8 +28,9 @@ type Key = u64;
 /// No neighbour at all.
 const NONE: Key = f64::INFINITY.to_bits() | INDEX;
 
-fn key(square: f64, index: usize) -> Key {
-    square.to_bits() & !INDEX | index as u64
+#[inline(always)]
+fn key(square: f64, index: u64) -> Key {
+    square.to_bits() & !INDEX | index
 }
 
 fn square(key: Key) -> f64 {
@@ -37,6 +45,11 @@ impl Neighbourhood {
     /// The distance of the eighth neighbour; infinite where there is none.
     pub fn reach(&self) -> f64 {
         square(self.worst()).sqrt()
+    }
+
+    /// The index of the nearest neighbour, where there is one.
+    pub fn nearest(&self) -> Option<usize> {
+        self.indices().next()
     }
 
     fn indices(&self) -> impl Iterator<Item = usize> {
@@ -56,113 +69,124 @@ impl Neighbourhood {
         if scatter.trace() > 0.0 { least / scatter.trace() } else { 0.0 }
     }
 
-    fn none() -> Self {
-        Self([NONE; NEIGHBOUR])
+    /// No neighbours yet, of which none is to be farther off than this.
+    fn within(reach: f64) -> Self {
+        /// Beyond what the keys and the arithmetic round off.
+        const MARGIN: f64 = 1.0 + 1e-9;
+        Self([key(MARGIN * reach * reach, INDEX); NEIGHBOUR])
     }
 
     fn worst(&self) -> Key {
         self.0[NEIGHBOUR - 1]
     }
 
-    /// Sorts a point in, if it is nearer than the last: without branches, whose outcome nobody
-    /// could foresee.
+    /// Sorts a point in, nearer than the last: without branches, whose outcome nobody could foresee.
+    #[inline(always)]
     fn take(&mut self, mut key: Key) {
-        if key < self.worst() {
-            for place in &mut self.0 {
-                (*place, key) = ((*place).min(key), (*place).max(key));
-            }
+        for place in &mut self.0 {
+            (*place, key) = ((*place).min(key), (*place).max(key));
         }
     }
 }
 
 /// The eight nearest neighbours of each point, of [`MOST_POINTS`] at most.
 pub(crate) fn neighbourhoods(points: PointColumns) -> Vec<Neighbourhood> {
-    let strips = strips(points);
-    let mut neighbourhoods = vec![Neighbourhood::none(); points[0].len()];
-    for (place, strip) in strips.iter().enumerate() {
-        for point in &strip.points {
-            neighbourhoods[point.index] = neighbourhood(&strips, place, point);
-        }
-    }
-    neighbourhoods
+    vectorized::run(NeighboursOfAll(&Strips::of(points)))
 }
 
-/// A point, its coordinates in the order of the strips.
-#[derive(Debug, Clone, Copy)]
-struct Placed {
-    x: [f64; 3],
-    index: usize,
-}
+/// The search for the neighbours of every point: strip by strip, and along each.
+struct NeighboursOfAll<'a>(&'a Strips);
 
-/// Points that follow each other along the first coordinate, in the order of the second.
-#[derive(Debug)]
-struct Strip {
-    /// Least and greatest first coordinate.
-    range: [f64; 2],
-    points: Vec<Placed>,
-}
+impl vectorized::Kernel for NeighboursOfAll<'_> {
+    type Output = Vec<Neighbourhood>;
 
-/// The points in strips across their widest coordinate, about as many as there are in each.
-/// By rank, not by width: a few far points do not crowd the others together.
-fn strips(points: PointColumns) -> Vec<Strip> {
-    let widest = widest_column(points);
-    let placed =
-        |index: usize| Placed { x: [0, 1, 2].map(|k| points[(widest + k) % 3][index]), index };
-    let mut all: Vec<Placed> = (0..points[0].len()).map(placed).collect();
-    all.sort_by(|a, b| a.x[0].total_cmp(&b.x[0]));
-    let strip = |points: &[Placed]| {
-        let range = [points[0].x[0], points[points.len() - 1].x[0]];
-        let mut points = points.to_vec();
-        points.sort_by(|a, b| a.x[1].total_cmp(&b.x[1]));
-        Strip { range, points }
-    };
-    all.chunks(all.len().isqrt().max(1)).map(strip).collect()
-}
-
-fn widest_column(points: PointColumns) -> usize {
-    let width = |column: &[f64]| {
-        let low = column.iter().copied().fold(f64::INFINITY, f64::min);
-        column.iter().copied().fold(f64::NEG_INFINITY, f64::max) - low
-    };
-    let widths = points.map(width);
-    (0..3).fold(0, |widest, k| if widths[k] > widths[widest] { k } else { widest })
-}
-
-/// The neighbours of a point of a strip: it and those beside it are looked through until the first
-/// coordinate alone is farther off.
-fn neighbourhood(strips: &[Strip], place: usize, here: &Placed) -> Neighbourhood {
-    let mut found = Neighbourhood::none();
-    strips[place].look_through(here, &mut found);
-    for strip in strips[..place].iter().rev() {
-        if (here.x[0] - strip.range[1]).powi(2) >= square(found.worst()) {
-            break;
-        }
-        strip.look_through(here, &mut found);
-    }
-    for strip in &strips[place + 1..] {
-        if (strip.range[0] - here.x[0]).powi(2) >= square(found.worst()) {
-            break;
-        }
-        strip.look_through(here, &mut found);
-    }
-    found
-}
-
-impl Strip {
-    /// Takes the points that are nearer than those found, both ways until the second coordinate
-    /// alone is farther off.
-    fn look_through(&self, here: &Placed, found: &mut Neighbourhood) {
-        let middle = self.points.partition_point(|point| point.x[1] < here.x[1]);
-        let mut is_within_reach = |other: &Placed| {
-            let [dx, dy, dz] = [0, 1, 2].map(|k| other.x[k] - here.x[k]);
-            if other.index != here.index {
-                found.take(key(dx * dx + dy * dy + dz * dz, other.index));
+    #[inline(always)]
+    fn run<const FMA: bool>(self) -> Vec<Neighbourhood> {
+        let strips = self.0;
+        let mut all = vec![Neighbourhood::within(f64::INFINITY); strips.points()];
+        let mut search = Search { strips, keys: vec![0; strips.points()] };
+        // The point before, and how far its neighbours reach.
+        let mut before: Option<(usize, f64)> = None;
+        for strip in 0..strips.count() {
+            let mut windows = strips.windows();
+            let mut first = None;
+            for place in strips.places(strip) {
+                // What is in reach of a point is not much farther from another.
+                let most = before.map_or(f64::INFINITY, |(other, reach)| {
+                    reach + strips.square_between(other, place).sqrt()
+                });
+                let found = search.neighbourhood(place, strip, most, &mut windows);
+                all[strips.index(place) as usize] = found;
+                before = Some((place, found.reach()));
+                first = first.or(before);
             }
-            dy * dy < square(found.worst())
-        };
-        let (below, above) = self.points.split_at(middle);
-        let _ = below.iter().rev().all(&mut is_within_reach);
-        let _ = above.iter().all(&mut is_within_reach);
+            before = first;
+        }
+        all
+    }
+}
+
+/// A search, and room for the keys of the points that it looks at.
+struct Search<'a> {
+    strips: &'a Strips,
+    keys: Vec<Key>,
+}
+
+impl Search<'_> {
+    /// The neighbours of the point at a place of a strip, none of which is farther off than `most`:
+    /// it and the strips beside it are looked through until the first coordinate alone is farther
+    /// off.
+    #[inline(always)]
+    fn neighbourhood(
+        &mut self,
+        place: usize,
+        strip: usize,
+        most: f64,
+        windows: &mut Windows,
+    ) -> Neighbourhood {
+        let mut found = Neighbourhood::within(most);
+        // Loops, as iterators would not be compiled for the instruction set.
+        for other in (0..=strip).rev() {
+            if !self.look_through(other, place, windows, &mut found) {
+                break;
+            }
+        }
+        for other in strip + 1..self.strips.count() {
+            if !self.look_through(other, place, windows, &mut found) {
+                break;
+            }
+        }
+        found
+    }
+
+    /// Takes what is near of a strip, unless it is too far off.
+    #[inline(always)]
+    fn look_through(
+        &mut self,
+        strip: usize,
+        place: usize,
+        windows: &mut Windows,
+        found: &mut Neighbourhood,
+    ) -> bool {
+        let reach = found.reach();
+        let is_in_reach = self.strips.distance_to(place, strip) <= reach;
+        if is_in_reach {
+            self.look_at(windows.around(self.strips, strip, place, reach), place, found);
+        }
+        is_in_reach
+    }
+
+    /// Takes those of the points at some places that are nearer than those found.
+    #[inline(always)]
+    fn look_at(&mut self, others: Range<usize>, place: usize, found: &mut Neighbourhood) {
+        let keys = &mut self.keys[..others.len()];
+        self.strips.write_keys(place, others, keys);
+        let here = self.strips.index(place);
+        for key in keys {
+            if *key < found.worst() && *key & INDEX != here {
+                found.take(*key);
+            }
+        }
     }
 }
 
