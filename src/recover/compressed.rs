@@ -40,6 +40,8 @@ impl Evaluation {
 pub(crate) struct CompressedProblem<R> {
     chart: Chart,
     rows: R,
+    /// Share of the cost that a step must promise to be worth a pass.
+    tolerance: f64,
     current: Evaluation,
     /// The evaluation of least cost so far.
     best: Evaluation,
@@ -48,11 +50,18 @@ pub(crate) struct CompressedProblem<R> {
 }
 
 impl<R: Fn(&Model) -> Option<Gram>> CompressedProblem<R> {
-    /// The problem, evaluated at the model it starts from.
-    pub fn around(start: &Model, constraints: &NormalizedConstraints, rows: R) -> Self {
+    /// The problem, evaluated at the model it starts from. Once no step promises to lower the cost
+    /// by more than a share of `tolerance`, it has no Jacobian any more.
+    pub fn around(
+        start: &Model,
+        constraints: &NormalizedConstraints,
+        tolerance: f64,
+        rows: R,
+    ) -> Self {
         let (chart, coordinates) = Chart::around(start, constraints);
         let start = Evaluation { coordinates, model_and_gram: None };
-        let mut problem = Self { chart, rows, current: start.clone(), best: start, passes: 0 };
+        let mut problem =
+            Self { chart, rows, tolerance, current: start.clone(), best: start, passes: 0 };
         problem.current = problem.evaluate(&coordinates);
         problem.best = problem.current.clone();
         problem
@@ -106,8 +115,25 @@ impl<R: Fn(&Model) -> Option<Gram>> LeastSquaresProblem<f64, Const<COLUMNS>, Con
         let (model, gram) = self.current.model_and_gram.as_ref()?;
         let local =
             self.chart.local_from_coordinates(&self.current.coordinates, model.pose.rotation());
-        Some(factor(&pulled_back(gram, &local)).fixed_columns::<PARAMETERS>(1).into_owned())
+        let factor = factor(&pulled_back(gram, &local));
+        let is_worthwhile = promised_share(&factor) > self.tolerance;
+        is_worthwhile.then(|| factor.fixed_columns::<PARAMETERS>(1).into_owned())
     }
+}
+
+/// The share of `r'r` that a whole Gauss-Newton step would take off a linear problem, from the
+/// factor of `[r J]' [r J]`: the square of the cosine between r and the span of J.
+///
+/// With the factor's first row `|r|, b'` and S the triangle below, `J'J = b b' + S'S`, so the share
+/// `b' (J'J)^-1 b` is `t / (1 + t)`, where `t = |y|^2` and `S'y = b`.
+fn promised_share(factor: &SMatrix<f64, COLUMNS, COLUMNS>) -> f64 {
+    let mut y = [0.0; COLUMNS];
+    for j in (1..COLUMNS).filter(|&j| factor[(j, j)] > 0.0) {
+        let before: f64 = (1..j).map(|k| factor[(k, j)] * y[k]).sum();
+        y[j] = (factor[(0, j)] - before) / factor[(j, j)];
+    }
+    let square: f64 = y.iter().map(|y| y * y).sum();
+    square / (1.0 + square)
 }
 
 /// The Gram matrix of the rows by other parameters: `diag(1, T)' G diag(1, T)`, all entries.
@@ -240,6 +266,7 @@ mod tests {
         let (compressed, report) = optimiser().minimize(CompressedProblem::around(
             &start(),
             &NormalizedConstraints::NONE,
+            0.0,
             rows,
         ));
 
@@ -251,6 +278,18 @@ mod tests {
         assert!(difference < 1e-9, "{difference:e}");
         let relative = report.objective_function / full_report.objective_function - 1.0;
         assert!(relative.abs() < 1e-13, "{relative:e}");
+    }
+
+    #[test]
+    fn the_promised_share_is_that_of_the_residual_in_the_span_of_the_jacobian() {
+        let mut rng = ChaCha8Rng::seed_from_u64(3);
+        let rows = SMatrix::<f64, 40, COLUMNS>::from_fn(|_, _| rng.random_range(-1.0..1.0));
+        let residual = rows.column(0).into_owned();
+        let jacobian = rows.fixed_columns::<PARAMETERS>(1).into_owned();
+        let span = jacobian.qr().q();
+        let expected = (span.transpose() * residual).norm_squared() / residual.norm_squared();
+        let share = promised_share(&factor(&(rows.transpose() * rows)));
+        assert!((share / expected - 1.0).abs() < 1e-12, "{share} {expected}");
     }
 
     #[test]

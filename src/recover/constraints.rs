@@ -3,6 +3,7 @@
 
 use super::chart::EXPONENT_BOUNDS;
 use super::normalization::Normalization;
+use crate::model::Model;
 
 /// Semi-axes that are equal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -128,11 +129,6 @@ impl Constraints {
         (!is_finite).then(|| "the centre is to be at a coordinate that is not finite".to_owned())
     }
 
-    /// Whether the axes of the model can be told apart by what is known of their sizes.
-    pub(crate) fn name_axes(&self) -> bool {
-        self.size != Self::NONE.size
-    }
-
     /// The bounds that all tied semi-axes keep.
     fn tied_bounds(&self) -> Bounds {
         let tied = &self.size[..self.tie.count()];
@@ -182,6 +178,17 @@ impl NormalizedConstraints {
         tied: 1,
         centre: [None; 3],
     };
+
+    /// The one form that stands for all equivalent ones, unless bounds of the sizes name the axes.
+    pub fn final_form(&self, model: &Model) -> Model {
+        let name_axes = self.log_size.iter().flatten().any(|bound| bound.is_finite());
+        if name_axes { *model } else { model.canonical() }
+    }
+
+    /// That form, where the optimiser may start from it: it may name the axes that are tied anew.
+    pub fn start_form(&self, model: &Model) -> Model {
+        if self.tied > 1 { *model } else { self.final_form(model) }
+    }
 
     /// In another normalisation of the same cloud.
     pub fn renormalized(&self, from: &Normalization, to: &Normalization) -> Self {

@@ -5,7 +5,7 @@ use levenberg_marquardt::LevenbergMarquardt;
 use super::compressed::CompressedProblem;
 use super::constraints::{Bounds, NormalizedConstraints};
 use super::evidence::Evidence;
-use super::kernel::{Gram, ModelView, Residual, geometric_squares, gram};
+use super::kernel::{Gram, ModelView, Residual, geometric_distances, gram};
 use super::normalization::Normalization;
 use super::result::Termination;
 use crate::cloud::PointColumns;
@@ -51,10 +51,17 @@ impl PointSet<'_> {
         Some(gram)
     }
 
-    /// The squared geometric distance of each point from a model (normalised coordinates).
-    pub fn geometric_squares(&self, model: &Model) -> Vec<f64> {
+    /// The signed geometric distance of each point from a model (normalised coordinates).
+    pub fn geometric_distances(&self, model: &Model) -> Vec<f64> {
         let view = ModelView::new(self.normalization, model, Residual::Geometric);
-        geometric_squares(&view, self.points, self.parallel)
+        geometric_distances(&view, self.points, self.parallel)
+    }
+
+    /// Its square.
+    pub fn geometric_squares(&self, model: &Model) -> Vec<f64> {
+        let mut distances = self.geometric_distances(model);
+        distances.iter_mut().for_each(|distance| *distance *= *distance);
+        distances
     }
 
     /// The sum of the points' weights.
@@ -67,7 +74,7 @@ impl PointSet<'_> {
 /// How far a run goes.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Effort {
-    /// Relative change of the cost at which it ends.
+    /// Relative change of the cost, made or promised by the next step, at which it ends.
     pub tolerance: f64,
     /// Evaluations, in units of twelve, after which it ends.
     pub patience: usize,
@@ -130,8 +137,8 @@ fn is_drawn_inside(descent: &Descent, constraints: &NormalizedConstraints) -> bo
 }
 
 fn run(points: &PointSet, start: &Model, effort: &Effort) -> Option<Descent> {
-    let problem =
-        CompressedProblem::around(start, points.constraints, |model: &Model| points.gram(model));
+    let rows = |model: &Model| points.gram(model);
+    let problem = CompressedProblem::around(start, points.constraints, effort.tolerance, rows);
     let (problem, report) = LevenbergMarquardt::new()
         .with_ftol(effort.tolerance)
         .with_xtol(effort.tolerance)

@@ -3,7 +3,7 @@
 use rayon::ThreadPoolBuilder;
 
 use super::covariance::Covariance;
-use super::descent::{Interrupt, PointSet};
+use super::descent::{Descent, Interrupt, PointSet};
 use super::doubt::{doubts, require_extent};
 use super::error::FitError;
 use super::evidence::Evidence;
@@ -13,7 +13,6 @@ use super::normalization::Moments;
 use super::options::{Distance, FitOptions};
 use super::radial::PARAMETERS;
 use super::result::Fit;
-use super::subset::Subset;
 use super::survey::Survey;
 use super::uncertainty::{covariance, dependence};
 use crate::cloud::PointCloud;
@@ -95,8 +94,8 @@ fn fit_in_pool(
     };
     let Found { best, surface, passes, starts } = found.ok_or(FitError::Unbounded)?;
 
-    let model = in_final_form(&best.model, options);
-    let covariance = uncertainty_of(&all, &model, &surface, &moments, options.seed)
+    let model = all.constraints.final_form(&best.model);
+    let covariance = uncertainty_of(&all, &best, &model, &surface, &moments, options.seed)
         .ok_or(FitError::Interrupted)?;
     let radius = moments.normalization.radius;
     let in_cloud = moments.normalization.cloud_from_normalized(&model);
@@ -119,26 +118,24 @@ fn fit_in_pool(
     })
 }
 
-/// The one form that stands for all equivalent ones, unless the axes have been named.
-fn in_final_form(model: &Model, options: &FitOptions) -> Model {
-    if options.constraints.name_axes() { *model } else { model.canonical() }
-}
-
 /// How well the points of the surface, and what is known besides, determine the model.
 fn uncertainty_of(
     all: &PointSet,
+    best: &Descent,
     model: &Model,
     surface: &Surface,
     moments: &Moments,
     seed: u64,
 ) -> Option<Covariance> {
     let roots = surface.root_weights();
-    let all = PointSet { root_weights: Some(&roots), evidence: &all.evidence.seen(), ..*all };
-    let kept = Subset::of(all.points, &surface.indices());
-    let few = Subset::stratified(kept.columns(), CORRELATION_POINTS, seed);
-    let few = PointSet { points: few.columns(), ..all };
-    let dependence = dependence(&few, model, kept.columns()[0].len());
-    covariance(&all, model, moments.resolution, dependence)
+    let seen = PointSet { root_weights: roots.as_deref(), evidence: &all.evidence.seen(), ..*all };
+    // The last descent has made the very pass that is wanted, unless evidence spoke against it.
+    let is_known = best.model == *model && best.gram.evidence_squares == 0.0;
+    let gram = if is_known { best.gram } else { seen.gram(model)? };
+    let few = surface.sample(all.points, CORRELATION_POINTS, seed);
+    let few = PointSet { points: few.columns(), ..seen };
+    let dependence = dependence(&few, model, surface.count());
+    Some(covariance(&seen, model, &gram, moments.resolution, dependence))
 }
 
 /// Centroid and spread of a cloud that can be fitted at all.

@@ -8,6 +8,7 @@ use super::search::{BRIEF, Search};
 use super::strays::{Recovery, fit_among_clutter, set_outliers_apart};
 use super::subset::Subset;
 use super::survey::Survey;
+use crate::cloud::PointColumns;
 
 /// Points that the coarse descents look at.
 const COARSE_POINTS: usize = 256;
@@ -81,8 +82,10 @@ impl From<Recovery> for Found {
 
 /// Which points are of the surface, and how they scatter about it, in normalised units.
 pub(crate) struct Surface {
-    /// Probability of each point to be of the surface.
-    weights: Vec<f64>,
+    /// The number of points in all.
+    points: usize,
+    /// Probability of each point to be of the surface; none where all are.
+    weights: Option<Vec<f64>>,
     pub deviation: f64,
     pub stray_share: f64,
 }
@@ -91,7 +94,8 @@ impl Surface {
     /// All points are.
     fn of_all(all: &PointSet, best: &Descent) -> Self {
         Self {
-            weights: vec![1.0; all.len()],
+            points: all.len(),
+            weights: None,
             deviation: best.geometric_mean_square.sqrt(),
             stray_share: 0.0,
         }
@@ -100,7 +104,8 @@ impl Surface {
     /// As a mixture has it.
     fn of_mixture(fit: &MixtureFit) -> Self {
         Self {
-            weights: fit.weights.clone(),
+            points: fit.weights.len(),
+            weights: Some(fit.weights.clone()),
             deviation: fit.mixture.variance.sqrt(),
             stray_share: fit.mixture.stray_share,
         }
@@ -108,17 +113,27 @@ impl Surface {
 
     /// Whether each point is of the surface more likely than not.
     pub fn is_inlier(&self) -> Vec<bool> {
-        self.weights.iter().map(|weight| *weight > 0.5).collect()
+        let Some(weights) = &self.weights else { return vec![true; self.points] };
+        weights.iter().map(|weight| *weight > 0.5).collect()
     }
 
-    /// The indices of those that are.
-    pub fn indices(&self) -> Vec<usize> {
-        (0..self.weights.len()).filter(|&i| self.weights[i] > 0.5).collect()
+    /// The number of points that are.
+    pub fn count(&self) -> usize {
+        let Some(weights) = &self.weights else { return self.points };
+        weights.iter().filter(|weight| **weight > 0.5).count()
     }
 
-    /// Roots of the points' weights.
-    pub fn root_weights(&self) -> Vec<f64> {
-        self.weights.iter().map(|weight| weight.sqrt()).collect()
+    /// At most so many of them.
+    pub fn sample(&self, points: PointColumns, count: usize, seed: u64) -> Subset {
+        let Some(weights) = &self.weights else { return Subset::stratified(points, count, seed) };
+        let kept: Vec<usize> = (0..weights.len()).filter(|&i| weights[i] > 0.5).collect();
+        Subset::stratified_of(points, &kept, count, seed)
+    }
+
+    /// Roots of the points' weights, where they do not all weigh one.
+    pub fn root_weights(&self) -> Option<Vec<f64>> {
+        let weights = self.weights.as_ref()?;
+        Some(weights.iter().map(|weight| weight.sqrt()).collect())
     }
 }
 
@@ -131,21 +146,25 @@ fn search(all: &PointSet, moments: &Moments, seed: u64) -> Search {
     if all.residual != Residual::Radial {
         search.refine(&few, &BRIEF, SWITCHED_FINALISTS);
     }
-    let mut finalists = FINALISTS;
+    let (mut finalists, mut evidence) = (FINALISTS, None);
     for count in STAGES {
         if all.len() >= WORTH_A_STAGE * count {
             let some = Subset::stratified(all.points, count, seed);
             let some = PointSet { points: some.columns(), parallel: false, ..*all };
+            let some = PointSet { evidence: evidence.as_ref().unwrap_or(all.evidence), ..some };
             search.refine(&some, &MEDIUM, finalists);
             if finalists == FINALISTS {
                 search.look_again(&some, &MEDIUM);
+                evidence = search.look_from_one_side(&some, &MEDIUM, FINALISTS);
             }
             finalists = 1;
         }
     }
-    search.refine(all, &FINISH, finalists);
+    let all = PointSet { evidence: evidence.as_ref().unwrap_or(all.evidence), ..*all };
+    search.refine(&all, &FINISH, finalists);
     if finalists == FINALISTS {
-        search.look_again(all, &FINISH);
+        search.look_again(&all, &FINISH);
+        search.look_from_one_side(&all, &FINISH, FINALISTS);
     }
     search
 }

@@ -30,40 +30,54 @@ struct Stretch {
 }
 
 impl Stretch {
-    fn of(terms: &GaugeTerms, x: [f64; 3], [e1, e2]: &[f64; 2]) -> Self {
+    fn of(terms: &GaugeTerms, x: [f64; 3], exponents: &[f64; 2]) -> Self {
         let square_radius: f64 = terms.magnitudes.iter().map(|m| m * m).sum();
         let q: [f64; 3] =
             std::array::from_fn(|i| square_radius.sqrt() * terms.weights[i] / terms.magnitudes[i]);
         let square: f64 = q.iter().map(|q| q * q).sum();
         let beta = q.map(|q| q * q / square);
-        let [share_x, share_y] = terms.equator_shares;
-        let [meridian_odds, equator_odds] = terms.log_odds;
-        let a = terms.weights[2] - beta[2];
-        let b = beta[0] * share_y - beta[1] * share_x;
-        // Derivatives by ln |x_i| at constant size, of A dY + B dy: they sum to zero.
-        let [meridian, equator] = [a * 2.0 / e1, b * 2.0 / e2];
-        let by_size = [meridian * share_x + equator, meridian * share_y - equator, -meridian];
-        let n: [f64; 3] = std::array::from_fn(|i| {
-            if x[i] == 0.0 {
-                return 0.0;
-            }
-            x[i] / square_radius + (by_size[i] - beta[i]) / x[i]
-        });
-        let log_gradient = [
-            -by_size[0],
-            -by_size[1],
-            -by_size[2],
-            -a * meridian_odds / e1,
-            0.5 * meridian * terms.equator_entropy - b * equator_odds / e2,
-            n[1] * x[2] - n[2] * x[1],
-            n[2] * x[0] - n[0] * x[2],
-            n[0] * x[1] - n[1] * x[0],
-            -n[0],
-            -n[1],
-            -n[2],
-        ];
+        let mut log_gradient = normal_log_gradient(terms, x, exponents, beta);
+        for (slope, x) in log_gradient[8..].iter_mut().zip(x) {
+            *slope -= x / square_radius;
+        }
         Self { value: square.sqrt(), log_gradient }
     }
+}
+
+/// Derivatives by the local parameters of `sum w_i ln g_i`, where `g_i = alpha_i / |x_i|` are in the
+/// ratio of the components of grad H, and the weights w do not change:
+/// `A dY + B dy - sum w_i d ln |x_i|`, `A = (w_x + w_y) alpha_z - w_z (alpha_x + alpha_y)`,
+/// `B = w_x eta_y - w_y eta_x`.
+pub(crate) fn normal_log_gradient(
+    terms: &GaugeTerms,
+    x: [f64; 3],
+    [e1, e2]: &[f64; 2],
+    weights: [f64; 3],
+) -> [f64; PARAMETERS] {
+    let [share_x, share_y] = terms.equator_shares;
+    let [meridian_odds, equator_odds] = terms.log_odds;
+    let [of_x, of_y, of_z] = weights;
+    let [alpha_x, alpha_y, alpha_z] = terms.weights;
+    let a = (of_x + of_y) * alpha_z - of_z * (alpha_x + alpha_y);
+    let b = of_x * share_y - of_y * share_x;
+    // Derivatives by ln |x_i| at constant size, of A dY + B dy: they sum to zero.
+    let [meridian, equator] = [a * 2.0 / e1, b * 2.0 / e2];
+    let by_size = [meridian * share_x + equator, meridian * share_y - equator, -meridian];
+    let n: [f64; 3] =
+        std::array::from_fn(|i| if x[i] == 0.0 { 0.0 } else { (by_size[i] - weights[i]) / x[i] });
+    [
+        -by_size[0],
+        -by_size[1],
+        -by_size[2],
+        -a * meridian_odds / e1,
+        0.5 * meridian * terms.equator_entropy - b * equator_odds / e2,
+        n[1] * x[2] - n[2] * x[1],
+        n[2] * x[0] - n[0] * x[2],
+        n[0] * x[1] - n[1] * x[0],
+        -n[0],
+        -n[1],
+        -n[2],
+    ]
 }
 
 #[cfg(test)]

@@ -75,7 +75,10 @@ pub struct Termination {
 impl From<TerminationReason> for Termination {
     fn from(reason: TerminationReason) -> Self {
         let (at_minimum, reason) = match reason {
-            TerminationReason::Converged { ftol: true, .. } => (true, "cost_settled"),
+            // The problem has refused another Jacobian, as no step would be worth while.
+            TerminationReason::Converged { ftol: true, .. } | TerminationReason::User(_) => {
+                (true, "cost_settled")
+            }
             TerminationReason::Converged { .. } => (true, "step_settled"),
             TerminationReason::ResidualsZero => (true, "residuals_zero"),
             TerminationReason::Orthogonal => (true, "gradient_zero"),

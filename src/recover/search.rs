@@ -2,6 +2,7 @@
 //! switches from the best of them, then the best few on more points.
 
 use super::descent::{Descent, Effort, PointSet, descend};
+use super::evidence::{Evidence, Facing};
 use super::kernel::Residual;
 use super::normalization::Moments;
 use super::start::{ambiguous_starts, principal_starts};
@@ -71,10 +72,11 @@ impl Search {
         search
     }
 
-    /// Takes the best few on to other points or another residual: only these are kept.
+    /// Takes the best few, in their final form, on to other points or another residual: only these
+    /// are kept.
     pub fn refine(&mut self, points: &PointSet, effort: &Effort, finalists: usize) {
         for model in self.take_finalists(finalists) {
-            self.descend(points, &model, effort);
+            self.descend(points, &points.constraints.start_form(&model), effort);
         }
     }
 
@@ -101,6 +103,22 @@ impl Search {
                 return;
             }
         }
+    }
+
+    /// Takes the best few further as what was seen from one side, if noise and what is not seen leave
+    /// the best one in doubt, and it may have been: what is then known besides the points.
+    pub fn look_from_one_side(
+        &mut self,
+        points: &PointSet,
+        effort: &Effort,
+        finalists: usize,
+    ) -> Option<Evidence> {
+        let best = self.candidates.first().filter(|best| is_half_seen(points, best))?;
+        let is_unknown = points.evidence.facing.is_none();
+        let facing = is_unknown.then(|| Facing::one_side(&best.model, points))??;
+        let evidence = Evidence { facing: Some(facing), ..points.evidence.clone() };
+        self.refine(&PointSet { evidence: &evidence, ..*points }, effort, finalists);
+        Some(evidence)
     }
 
     /// The best descent.
@@ -163,14 +181,21 @@ impl Search {
     }
 }
 
-/// Whether the best minimum misfits, or noise and what is not seen leave it in doubt.
+/// Whether the best minimum misfits, or is in doubt.
 fn is_open(points: &PointSet, best: &Descent) -> bool {
     if points.residual == Residual::Radial {
         return false;
     }
-    let unseen =
-        points.evidence.seen_area.is_some_and(|seen| seen.ratio(&best.model.shape) > HALF_SEEN);
-    (unseen && best.geometric_mean_square.sqrt() > NOISY) || is_misfit(points, &best.model)
+    is_half_seen(points, best) || is_misfit(points, &best.model)
+}
+
+/// Whether noise and what is not seen leave the best minimum in doubt.
+fn is_half_seen(points: &PointSet, best: &Descent) -> bool {
+    let unseen = points
+        .evidence
+        .seen_area
+        .is_some_and(|seen| seen.ratio(&best.model.shape, best.geometric_mean_square) > HALF_SEEN);
+    unseen && best.geometric_mean_square.sqrt() > NOISY
 }
 
 /// Whether the distances of neighbours from a model err together.

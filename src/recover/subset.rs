@@ -19,11 +19,18 @@ impl Subset {
         if total <= count {
             return Self(points.map(<[f64]>::to_vec));
         }
-        let mut rng = ChaCha8Rng::seed_from_u64(seed);
-        let indices: Vec<usize> = (0..count)
-            .map(|run| rng.random_range(run * total / count..(run + 1) * total / count))
-            .collect();
-        Self::of(points, &indices)
+        Self::of(points, &one_of_each_run(total, count, seed))
+    }
+
+    /// As [`stratified`](Self::stratified), of the points at some indices.
+    pub fn stratified_of(points: PointColumns, indices: &[usize], count: usize, seed: u64) -> Self {
+        let total = indices.len();
+        if total <= count {
+            return Self::of(points, indices);
+        }
+        let places = one_of_each_run(total, count, seed);
+        let chosen: Vec<usize> = places.into_iter().map(|place| indices[place]).collect();
+        Self::of(points, &chosen)
     }
 
     /// The points at some indices.
@@ -31,11 +38,11 @@ impl Subset {
         Self(points.map(|column| indices.iter().map(|&i| column[i]).collect()))
     }
 
-    /// The points in normalised coordinates.
-    pub fn normalized(&self, normalization: &Normalization) -> Self {
+    /// All points, in normalised coordinates.
+    pub fn normalized(points: PointColumns, normalization: &Normalization) -> Self {
         let Normalization { centroid, inverse_radius, .. } = normalization;
         let normalize = |k: usize| -> Vec<f64> {
-            self.0[k].iter().map(|x| (x - centroid[k]) * inverse_radius).collect()
+            points[k].iter().map(|x| (x - centroid[k]) * inverse_radius).collect()
         };
         Self([0, 1, 2].map(normalize))
     }
@@ -44,6 +51,12 @@ impl Subset {
     pub fn columns(&self) -> PointColumns<'_> {
         [&self.0[0], &self.0[1], &self.0[2]]
     }
+}
+
+/// One number at random from each of `count` equal runs of the first `total` ones.
+fn one_of_each_run(total: usize, count: usize, seed: u64) -> Vec<usize> {
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    (0..count).map(|run| rng.random_range(run * total / count..(run + 1) * total / count)).collect()
 }
 
 #[cfg(test)]
@@ -63,6 +76,18 @@ mod tests {
         }
         assert_eq!(subset.columns(), Subset::stratified(points, 100, 7).columns());
         assert_ne!(subset.columns(), Subset::stratified(points, 100, 8).columns());
+    }
+
+    #[test]
+    fn takes_of_the_points_at_some_indices_as_of_all_of_them() {
+        let column: Vec<f64> = (0..1003).map(f64::from).collect();
+        let even: Vec<usize> = (0..1003).step_by(2).collect();
+        let kept = Subset::of([&column; 3], &even);
+        for count in [100, 1003] {
+            let subset = Subset::stratified_of([&column; 3], &even, count, 7);
+            let expected = Subset::stratified(kept.columns(), count, 7);
+            assert_eq!(subset.columns(), expected.columns());
+        }
     }
 
     #[test]

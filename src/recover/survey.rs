@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::clutter::{Clutter, seen_area};
-use super::evidence::{Evidence, FreeSpace, SeenArea, Support};
+use super::evidence::{Evidence, Facing, FreeSpace, SeenArea, Support};
 use super::mixture::Room;
 use super::neighbours::{MOST_POINTS, Neighbourhood, neighbourhoods};
 use super::normalization::Moments;
@@ -34,7 +34,7 @@ impl Survey {
     /// Of the points of a cloud with these moments.
     pub fn of(points: PointColumns, moments: &Moments, seed: u64) -> Self {
         let points = Subset::stratified(points, SAMPLE, seed);
-        let normalized = points.normalized(&moments.normalization);
+        let normalized = Subset::normalized(points.columns(), &moments.normalization);
         let neighbourhoods = neighbourhoods(normalized.columns());
         let clutter = Clutter::find(normalized.columns(), &neighbourhoods);
         let reaches: Vec<f64> = neighbourhoods.iter().map(Neighbourhood::reach).collect();
@@ -53,9 +53,18 @@ impl Survey {
         // Among clutter a ray may end on a stray.
         let most = if self.clutter.is_some() { 0 } else { RAYS_TO_POINTS };
         let hits = Subset::stratified(self.points.columns(), most, options.seed);
+        let sampled = self.points.columns()[0].len();
+        let surface_points = self.clutter.as_ref().map_or(sampled, |c| c.surface().len()) as f64;
+        // Nor does a stray face the sensor.
+        let facing = |sight: &Sight| {
+            let points = self.points.columns();
+            let is_clean = self.clutter.is_none();
+            is_clean.then(|| Facing::from_viewpoint(sight.viewpoint, points, normalization))
+        };
         let free_space = |sight: &Sight| FreeSpace::new(sight, hits.columns(), normalization);
         Evidence {
-            seen_area: is_area.then_some(SeenArea(self.room.area)),
+            seen_area: is_area.then_some(SeenArea { area: self.room.area, points: surface_points }),
+            facing: options.sight.as_ref().and_then(facing),
             free_space: options.sight.as_ref().map(free_space),
             support: options.support.map(|plane| Support::new(&plane, normalization)),
         }

@@ -3,14 +3,15 @@
 
 use std::f64::consts::PI;
 
-use nalgebra::{SMatrix, SymmetricEigen, Vector3};
+use nalgebra::{SMatrix, SymmetricEigen};
 
 use super::chart::Chart;
 use super::covariance::Covariance;
 use super::descent::PointSet;
-use super::geometric::geometric_row;
-use super::kernel::{Gram, ModelView, Residual};
+use super::kernel::Gram;
+use super::neighbours::neighbourhoods;
 use super::radial::PARAMETERS;
+use super::subset::Subset;
 use crate::model::Model;
 
 /// Standard errors of the correlation of neighbours that are put down to chance.
@@ -18,8 +19,8 @@ const CHANCE: f64 = 2.0;
 
 type Matrix = SMatrix<f64, PARAMETERS, PARAMETERS>;
 
-/// The covariance of the parameters of a model (normalised coordinates) that fits points, in the
-/// cloud's unit. None if the fit is interrupted.
+/// The covariance of the parameters of a model (normalised coordinates) that fits points, from the
+/// Gram matrix of its rows, in the cloud's unit.
 ///
 /// It is `(J'J / (s^2 n c) + 1)^-1` in the optimiser's coordinates, with `s^2 = r'r / (n - p)` but
 /// not below the square of `resolution` (the rounding of the coordinates), and `1/c` the number
@@ -29,12 +30,12 @@ type Matrix = SMatrix<f64, PARAMETERS, PARAMETERS>;
 pub(crate) fn covariance(
     points: &PointSet,
     model: &Model,
+    gram: &Gram,
     resolution: f64,
     dependence: f64,
-) -> Option<Covariance> {
+) -> Covariance {
     let (chart, coordinates) = Chart::around(model, points.constraints);
     let transform = chart.local_from_coordinates(&coordinates, model.pose.rotation());
-    let gram = points.gram(model)?;
     let is_free: Vec<bool> = (0..PARAMETERS).map(|k| transform.column(k).amax() > 0.0).collect();
     let free = is_free.iter().filter(|is_free| **is_free).count() as f64;
 
@@ -43,7 +44,7 @@ pub(crate) fn covariance(
     // As many points as parameters say nothing of the noise.
     let variance = if freedom < 1.0 { f64::INFINITY } else { gram.residual_squares() / freedom };
     let variance = variance.max(resolution * resolution) * weight * dependence;
-    let information = transform.transpose() * hessian(&gram) * transform / variance;
+    let information = transform.transpose() * hessian(gram) * transform / variance;
     let eigen = SymmetricEigen::new(information);
     let inverse =
         Matrix::from_diagonal(&eigen.eigenvalues.map(|value| 1.0 / (value.max(0.0) + 1.0)));
@@ -53,7 +54,7 @@ pub(crate) fn covariance(
         normalized.column_mut(k).fill(0.0);
     }
     let cloud_from_coordinates = derivatives_in_cloud(points, model, &transform);
-    Some(Covariance::new(cloud_from_coordinates * normalized * cloud_from_coordinates.transpose()))
+    Covariance::new(cloud_from_coordinates * normalized * cloud_from_coordinates.transpose())
 }
 
 /// Derivatives of the parameters in the cloud's unit by the optimiser's coordinates.
@@ -89,32 +90,11 @@ pub(crate) fn dependence(sample: &PointSet, model: &Model, points: usize) -> f64
 
 /// Correlation of each sampled point's geometric distance with its nearest neighbour's.
 pub(crate) fn neighbour_correlation(sample: &PointSet, model: &Model) -> f64 {
-    let view = ModelView::new(sample.normalization, model, Residual::Radial);
-    let shape = &model.shape;
-    let [xs, ys, zs] = sample.points;
-    let local: Vec<Vector3<f64>> =
-        (0..sample.len()).map(|i| view.model_from_cloud([xs[i], ys[i], zs[i]]).into()).collect();
-    let residuals: Vec<f64> = local
-        .iter()
-        .map(|x| geometric_row((*x).into(), &shape.size(), &shape.exponents()).distance)
-        .collect();
+    let residuals = sample.geometric_distances(model);
     let squares: f64 = residuals.iter().map(|r| r * r).sum();
-    let products: f64 =
-        residuals.iter().zip(nearest_neighbours(&local)).map(|(r, j)| r * residuals[j]).sum();
+    let points = Subset::normalized(sample.points, sample.normalization);
+    let neighbourhoods = neighbourhoods(points.columns());
+    let nearest = neighbourhoods.iter().map(|one| one.nearest().map_or(0.0, |j| residuals[j]));
+    let products: f64 = residuals.iter().zip(nearest).map(|(r, other)| r * other).sum();
     if squares > 0.0 { products / squares } else { 0.0 }
-}
-
-/// Of each point the index of its nearest neighbour, by trying all: they are few.
-fn nearest_neighbours(points: &[Vector3<f64>]) -> Vec<usize> {
-    let nearest = |(i, point): (usize, &Vector3<f64>)| {
-        let mut best = (f64::INFINITY, i);
-        for (j, other) in points.iter().enumerate() {
-            let distance = (other - point).norm_squared();
-            if distance < best.0 && j != i {
-                best = (distance, j);
-            }
-        }
-        best.1
-    };
-    points.iter().enumerate().map(nearest).collect()
 }

@@ -1,9 +1,11 @@
 //! What is known of a shape besides its points: rows of their own in the least-squares problem.
 
+mod facing;
 mod free_space;
 mod seen_area;
 mod support;
 
+pub(crate) use facing::Facing;
 pub(crate) use free_space::FreeSpace;
 pub(crate) use seen_area::SeenArea;
 pub(crate) use support::Support;
@@ -17,6 +19,8 @@ use crate::model::Model;
 pub(crate) struct Evidence {
     /// The area on which the points lie.
     pub seen_area: Option<SeenArea>,
+    /// From where the points were seen.
+    pub facing: Option<Facing>,
     /// Where the sensor saw that there is nothing.
     pub free_space: Option<FreeSpace>,
     /// What the object stands on.
@@ -25,22 +29,23 @@ pub(crate) struct Evidence {
 
 impl Evidence {
     /// Nothing.
-    pub const NONE: Self = Self { seen_area: None, free_space: None, support: None };
+    pub const NONE: Self = Self { seen_area: None, facing: None, free_space: None, support: None };
 
     /// In the coordinates of another normalisation of the same cloud.
     pub fn renormalized(&self, from: &Normalization, to: &Normalization) -> Self {
         Self {
             seen_area: self.seen_area.map(|area| area.renormalized(from, to)),
+            facing: self.facing.as_ref().map(|facing| facing.renormalized(from, to)),
             free_space: self.free_space.as_ref().map(|space| space.renormalized(from, to)),
             support: self.support.map(|support| support.renormalized(from, to)),
         }
     }
 
     /// What a search may lean on from the start: not on rays onto the object, which a rough model
-    /// blocks at random.
+    /// blocks at random, nor on what faces the sensor.
     pub fn for_search(&self) -> Self {
         let free_space = self.free_space.as_ref().map(FreeSpace::beside_only);
-        Self { free_space, ..self.clone() }
+        Self { free_space, facing: None, ..self.clone() }
     }
 
     /// What was seen, without what is only usual.
@@ -53,6 +58,9 @@ impl Evidence {
         // First what multiplies the cost of the points alone.
         if let Some(seen_area) = &self.seen_area {
             seen_area.add_to(gram, model, weight);
+        }
+        if let Some(facing) = &self.facing {
+            facing.add_to(gram, model, weight);
         }
         if let Some(free_space) = &self.free_space {
             free_space.add_to(gram, model, weight);

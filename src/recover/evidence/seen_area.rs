@@ -5,40 +5,60 @@
 //! the points lie is doubtful: where noise leaves the depth of a single view open, the points
 //! alone would take a giant for it.
 
+use std::f64::consts::PI;
+
 use crate::model::Model;
 use crate::recover::kernel::Gram;
+use crate::recover::neighbours::NEIGHBOUR;
 use crate::recover::normalization::Normalization;
 use crate::recover::radial::PARAMETERS;
 use crate::shape::Superellipsoid;
 
-/// Area of a shape over that seen which is no reason for doubt. Less than 2: noise makes the
-/// seen area seem larger.
-const USUAL_RATIO: f64 = 1.5;
+/// Area of a shape over that seen which is no reason for doubt: well below 2, since noise by itself
+/// makes the likelihood prefer what is larger than the truth.
+const USUAL_RATIO: f64 = 1.3;
 
 /// Deviation of the logarithm of the ratio beyond that.
 const DEVIATION: f64 = 0.1;
 
+/// What noise adds to the area, measured against the first order; and what it leaves at least.
+const NOISE_SHARE: f64 = 0.85;
+const LEAST_SHARE: f64 = 1.0 / 3.0;
+
 /// The area on which the points lie, in normalised units.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct SeenArea(pub f64);
+pub(crate) struct SeenArea {
+    /// As the points' neighbours have it.
+    pub area: f64,
+    /// The number of these points.
+    pub points: f64,
+}
 
 impl SeenArea {
     /// In the coordinates of another normalisation of the same cloud.
     pub fn renormalized(&self, from: &Normalization, to: &Normalization) -> Self {
         let ratio = from.radius * to.inverse_radius;
-        Self(self.0 * ratio * ratio)
+        Self { area: self.area * ratio * ratio, ..*self }
     }
 
-    /// The area of a shape over that seen.
-    pub fn ratio(&self, shape: &Superellipsoid) -> f64 {
-        approximate_area(shape).0 / self.0
+    /// The area of a shape over that seen, where the points' distances have a variance.
+    pub fn ratio(&self, shape: &Superellipsoid, variance: f64) -> f64 {
+        approximate_area(shape).0 / self.without_noise(variance)
+    }
+
+    /// The area without what noise adds to it: neighbours that are off the surface by so much are
+    /// farther by `2 s^2` in the square.
+    fn without_noise(&self, variance: f64) -> f64 {
+        let room = 2.0 * PI / NEIGHBOUR as f64 * variance * self.points;
+        (self.area - NOISE_SHARE * room).max(LEAST_SHARE * self.area)
     }
 
     /// Multiplies the cost C of n points to `C (1 + r^2 / n)`, r being the model's excess area in
     /// deviations: as -2 log likelihood is `n ln C + r^2`, whatever the noise.
     pub fn add_to(&self, gram: &mut Gram, model: &Model, weight: f64) {
         let (area, log_gradient) = approximate_area(&model.shape);
-        let excess = (area / (USUAL_RATIO * self.0)).ln() / DEVIATION;
+        let seen = self.without_noise(gram.geometric_squares / weight);
+        let excess = (area / (USUAL_RATIO * seen)).ln() / DEVIATION;
         if excess <= 0.0 {
             return;
         }
@@ -103,7 +123,13 @@ mod tests {
 
     use super::*;
     use crate::pose::Pose;
-    use crate::surface::{Resolution, tessellate};
+    use nalgebra::Vector3;
+    use rand::{RngExt, SeedableRng};
+    use rand_chacha::ChaCha8Rng;
+
+    use crate::recover::clutter::seen_area as measured_area;
+    use crate::recover::neighbours::{Neighbourhood, neighbourhoods};
+    use crate::surface::{Resolution, sample_surface, tessellate};
 
     fn area(size: [f64; 3], e: [f64; 2]) -> f64 {
         approximate_area(&Superellipsoid::new(size, e).unwrap()).0
@@ -142,19 +168,40 @@ mod tests {
         }
     }
 
+    #[test]
+    fn the_area_of_noisy_points_is_that_without_noise() {
+        let sphere = Superellipsoid::new([1.0; 3], [1.0; 2]).unwrap();
+        let mut rng = ChaCha8Rng::seed_from_u64(1);
+        for deviation in [0.0, 0.02, 0.05] {
+            let mut noise = || deviation * rng.random_range(-1.0..1.0) * 3.0_f64.sqrt();
+            let points: Vec<_> = sample_surface(&sphere, 2000, 5)
+                .into_iter()
+                .map(|x| x + Vector3::from_fn(|_, _| noise()))
+                .collect();
+            let columns: [Vec<f64>; 3] =
+                std::array::from_fn(|k| points.iter().map(|x| x[k]).collect());
+            let found = neighbourhoods(columns.each_ref().map(|column| &column[..]));
+            let reaches: Vec<f64> = found.iter().map(Neighbourhood::reach).collect();
+            let area = measured_area(&reaches, &[1.0; 2000]);
+            let ratio = SeenArea { area, points: 2000.0 }.ratio(&sphere, deviation * deviation);
+            assert!((ratio - 1.0).abs() < 0.08, "{deviation}: {ratio}");
+        }
+    }
+
     fn cost(seen: f64, size: f64) -> Gram {
         let shape = Superellipsoid::new([size; 3], [1.0; 2]).unwrap();
         let mut gram = Gram::zero();
         gram.add_row(3.0, &[0.0; PARAMETERS]);
         (gram.geometric_squares, gram.evidence_squares) = (9.0, 0.0);
-        SeenArea(seen).add_to(&mut gram, &Model { shape, pose: Pose::identity() }, 100.0);
+        let seen = SeenArea { area: seen, points: 0.0 };
+        seen.add_to(&mut gram, &Model { shape, pose: Pose::identity() }, 100.0);
         gram
     }
 
     #[test]
     fn a_shape_seen_on_one_side_costs_nothing_more_and_a_giant_does() {
         assert_eq!(cost(4.0 * PI, 1.0).residual_squares(), 9.0);
-        assert_eq!(cost(3.0 * PI, 1.0).residual_squares(), 9.0);
+        assert_eq!(cost(3.2 * PI, 1.0).residual_squares(), 9.0);
         let excess = (area([2.0; 3], [1.0; 2]) / (USUAL_RATIO * 4.0 * PI)).ln() / DEVIATION;
         let giant = cost(4.0 * PI, 2.0);
         let expected = 9.0 * (1.0 + excess * excess / 100.0);

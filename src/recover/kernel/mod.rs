@@ -49,24 +49,29 @@ pub(crate) fn gram(
     sum(partial)
 }
 
-/// The squared first-order geometric distance of each point, in normalised units.
-pub(crate) fn geometric_squares(
+/// The signed first-order geometric distance of each point, in normalised units.
+pub(crate) fn geometric_distances(
     view: &ModelView,
     points: PointColumns,
     parallel: bool,
 ) -> Vec<f64> {
-    let mut squares = vec![0.0; points[0].len()];
+    let mut distances = vec![0.0; points[0].len()];
     let set = set_in_use();
-    let fill = |(index, squares): (usize, &mut [f64])| {
-        let range = index * CHUNK..index * CHUNK + squares.len();
-        simd::geometric_squares(set, view, points.map(|column| &column[range.clone()]), squares);
+    let fill = |(index, distances): (usize, &mut [f64])| {
+        let range = index * CHUNK..index * CHUNK + distances.len();
+        simd::geometric_distances(
+            set,
+            view,
+            points.map(|column| &column[range.clone()]),
+            distances,
+        );
     };
     if parallel {
-        squares.par_chunks_mut(CHUNK).enumerate().for_each(fill);
+        distances.par_chunks_mut(CHUNK).enumerate().for_each(fill);
     } else {
-        squares.chunks_mut(CHUNK).enumerate().for_each(fill);
+        distances.chunks_mut(CHUNK).enumerate().for_each(fill);
     }
-    squares
+    distances
 }
 
 /// A wish that cannot be met is an error of the fit, which has asked before.

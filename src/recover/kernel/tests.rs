@@ -145,10 +145,10 @@ fn every_path_sums_the_scalar_rows() {
     }
 }
 
-fn each_square(set: InstructionSet, view: &ModelView, points: [&[f64]; 3]) -> Vec<f64> {
-    let mut squares = vec![0.0; points[0].len()];
-    simd::geometric_squares(set, view, points, &mut squares);
-    squares
+fn each_distance(set: InstructionSet, view: &ModelView, points: [&[f64]; 3]) -> Vec<f64> {
+    let mut distances = vec![0.0; points[0].len()];
+    simd::geometric_distances(set, view, points, &mut distances);
+    distances
 }
 
 fn assert_sums_agree(view: &ModelView, points: &[[f64; 3]]) {
@@ -159,12 +159,13 @@ fn assert_sums_agree(view: &ModelView, points: &[[f64; 3]]) {
     let [radial, geometric] = [0, 1].map(|k| squares.iter().map(|s| s[k]).sum::<f64>());
     for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
         let actual = simd::gram(set, view, [&x, &y, &z], None);
-        let each = each_square(set, view, [&x, &y, &z]);
-        assert!(
-            each.iter()
-                .zip(&squares)
-                .all(|(each, [_, s])| (each - s).abs() <= TOLERANCE * geometric)
-        );
+        let each = each_distance(set, view, [&x, &y, &z]);
+        for (i, distance) in each.iter().enumerate() {
+            let [_, square] = squares[i];
+            assert!((distance * distance - square).abs() <= TOLERANCE * geometric);
+            // The radial and the geometric distance have one sign.
+            assert!(distance * rows[i][0] >= 0.0);
+        }
         assert!((actual.radial_squares - radial).abs() <= TOLERANCE * radial);
         assert!((actual.geometric_squares - geometric).abs() <= TOLERANCE * geometric);
         for i in 0..COLUMNS {

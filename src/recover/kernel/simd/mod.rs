@@ -36,21 +36,21 @@ pub(super) fn gram(
     }
 }
 
-/// The squared geometric distance of each point.
-pub(super) fn geometric_squares(
+/// The signed geometric distance of each point.
+pub(super) fn geometric_distances(
     set: InstructionSet,
     view: &ModelView,
     points: [&[f64]; 3],
-    squares: &mut [f64],
+    distances: &mut [f64],
 ) {
     match set {
         // SAFETY: an instruction set is named only if the processor has it.
         #[cfg(target_arch = "x86_64")]
-        InstructionSet::Avx512 => unsafe { avx512::geometric_squares(view, points, squares) },
+        InstructionSet::Avx512 => unsafe { avx512::geometric_distances(view, points, distances) },
         // SAFETY: as above.
         #[cfg(target_arch = "x86_64")]
-        InstructionSet::Avx2 => unsafe { avx2::geometric_squares(view, points, squares) },
-        _ => squares_of::<false>(view, points, squares),
+        InstructionSet::Avx2 => unsafe { avx2::geometric_distances(view, points, distances) },
+        _ => distances_of::<false>(view, points, distances),
     }
 }
 
@@ -91,13 +91,16 @@ fn gram_of<P: TileProducts, const FMA: bool, const GEOMETRIC: bool>(
 }
 
 #[inline(always)]
-fn squares_of<const FMA: bool>(view: &ModelView, points: [&[f64]; 3], squares: &mut [f64]) {
+fn distances_of<const FMA: bool>(view: &ModelView, points: [&[f64]; 3], distances: &mut [f64]) {
     let mut scratch = Scratch::new();
     let mut rows = Rows::new();
-    for (index, squares) in squares.chunks_mut(BLOCK).enumerate() {
+    for (index, distances) in distances.chunks_mut(BLOCK).enumerate() {
         let start = index * BLOCK;
-        let block = points.map(|column| &column[start..start + squares.len()]);
+        let block = points.map(|column| &column[start..start + distances.len()]);
         write_rows::<FMA, false>(view, block, &mut scratch, &mut rows);
-        squares.copy_from_slice(&rows.geometric_squares[..squares.len()]);
+        let squares_and_signs = rows.geometric_squares.iter().zip(&rows.columns[0]);
+        for (distance, (square, sign)) in distances.iter_mut().zip(squares_and_signs) {
+            *distance = square.sqrt().copysign(*sign);
+        }
     }
 }

@@ -10,7 +10,7 @@ macro_rules! vector_path {
         operations: $zero:ident, $load:ident, $fmadd:ident, $sum:ident $(,)?
     ) => {
         use crate::recover::kernel::gram::{BLOCK, Columns, Gram, TILE, TileProducts};
-        use crate::recover::kernel::simd::{gram_blocks, squares_of};
+        use crate::recover::kernel::simd::{distances_of, gram_blocks};
         use crate::recover::kernel::view::ModelView;
 
         #[target_feature(enable = $features)]
@@ -19,12 +19,12 @@ macro_rules! vector_path {
         }
 
         #[target_feature(enable = $features)]
-        pub(super) fn geometric_squares(
+        pub(super) fn geometric_distances(
             view: &ModelView,
             points: [&[f64]; 3],
-            squares: &mut [f64],
+            distances: &mut [f64],
         ) {
-            squares_of::<true>(view, points, squares);
+            distances_of::<true>(view, points, distances);
         }
 
         struct Tile;
