@@ -26,6 +26,9 @@ mod radial;
 mod result;
 mod search;
 mod sight;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod stages;
 mod start;
 mod strays;
 mod subset;
