@@ -1,6 +1,8 @@
 //! Surfaces as triangles and as points.
 
 mod boundary;
+mod chart;
+mod covering;
 mod deformed;
 mod deviation;
 mod families;
@@ -21,4 +23,4 @@ pub use mesh::Mesh;
 pub use parameterization::Parameterization;
 pub use sample::{sample_solid, sample_surface};
 pub use tessellate::{Resolution, ResolutionError, tessellate};
-pub use tolerance::{MeshMethod, ToleranceError, tessellate_within};
+pub use tolerance::{MeshMethod, ToleranceError, tessellate_deformed_within, tessellate_within};
