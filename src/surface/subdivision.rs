@@ -11,11 +11,10 @@ use std::collections::HashMap;
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use super::chart::Chart;
+use super::chart::{Chart, Lattice};
 use super::covering::Covering;
 use super::deviation::deviation;
 use super::grading::Grading;
-use super::mesh::Mesh;
 use super::tolerance::{MOST_TRIANGLES, TooMany};
 use forecast::Forecast;
 
@@ -26,7 +25,7 @@ const FIRST_SEGMENTS: usize = 2;
 /// then that of the triangle's own side of a bend.
 const INTO: f64 = 1e-4;
 
-/// A closed mesh from which the surface departs by at most `tolerance`, as far as
+/// The lattice of a closed mesh from which the surface departs by at most `tolerance`, as far as
 /// [`deviation`] shows.
 ///
 /// It begins with the coarsest lattice. A side of length L whose ends' normals diverge by an
@@ -36,7 +35,7 @@ const INTO: f64 = 1e-4;
 ///
 /// # Errors
 /// If these are more than a mesh may have.
-pub(super) fn subdivide(surface: &Covering, tolerance: f64) -> Result<Mesh, TooMany> {
+pub(super) fn subdivide(surface: &Covering, tolerance: f64) -> Result<Lattice, TooMany> {
     let mut subdivision = Subdivision::new(surface);
     let mut forecast = Forecast::new(tolerance, subdivision.extent());
     while let Some(stage) = forecast.next_tolerance() {
@@ -48,7 +47,7 @@ pub(super) fn subdivide(surface: &Covering, tolerance: f64) -> Result<Mesh, TooM
         }
         forecast.reached(subdivision.triangles.len())?;
     }
-    Ok(subdivision.mesh())
+    Ok(subdivision.lattice())
 }
 
 /// A side by its vertices, the lower number first.
@@ -104,8 +103,9 @@ impl<'a> Subdivision<'a> {
         self.settled.fill(false);
     }
 
-    fn mesh(self) -> Mesh {
-        Mesh::new(self.points, self.triangles)
+    fn lattice(self) -> Lattice {
+        let Self { places, unit_points, triangles, .. } = self;
+        Lattice { places, unit_points, triangles }
     }
 
     /// Cuts every triangle that is not fine enough once, and those whose sides that cuts; says

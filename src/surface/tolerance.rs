@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use super::chart::Lattice;
 use super::covering::Covering;
 use super::deviation::lattice_deviation;
 use super::grading::Grading;
@@ -44,7 +45,7 @@ pub enum ToleranceError {
     /// It asks for more triangles than a mesh may have.
     #[error(
         "a tolerance of {tolerance} needs about {wanted:.1e} triangles by this method, \
-         and a mesh may have {MOST_TRIANGLES:.1e}"
+         and a mesh may have 13 million"
     )]
     TooFine {
         /// The tolerance asked for.
@@ -68,32 +69,39 @@ pub fn tessellate_within(
     tolerance: f64,
     method: MeshMethod,
 ) -> Result<Mesh, ToleranceError> {
-    within(&Covering { shape: &shape.into(), chain: &Chain::default() }, tolerance, method)
+    let surface = Covering { shape: &shape.into(), chain: &Chain::default() };
+    Ok(surface.mesh(within(&surface, tolerance, method)?))
 }
 
 /// The same of a deformed shape: within the tolerance after the deformations.
 ///
 /// # Errors
 /// Those of [`tessellate_within`].
-pub fn tessellate_deformed_within(
-    solid: &Deformed<Shape>,
+pub fn tessellate_deformed_within<S: Copy + Into<Shape>>(
+    solid: &Deformed<S>,
     tolerance: f64,
     method: MeshMethod,
 ) -> Result<Mesh, ToleranceError> {
-    within(&Covering { shape: solid.shape(), chain: solid.chain() }, tolerance, method)
+    let surface = Covering { shape: &(*solid.shape()).into(), chain: solid.chain() };
+    Ok(surface.mesh(within(&surface, tolerance, method)?))
 }
 
-fn within(surface: &Covering, tolerance: f64, method: MeshMethod) -> Result<Mesh, ToleranceError> {
+/// The lattice of the mesh.
+fn within(
+    surface: &Covering,
+    tolerance: f64,
+    method: MeshMethod,
+) -> Result<Lattice, ToleranceError> {
     if !(tolerance.is_finite() && tolerance > 0.0) {
         return Err(ToleranceError::NotPositive(tolerance));
     }
     let measured = USED_SHARE * tolerance;
-    let mesh = match method {
+    let lattice = match method {
         MeshMethod::Lattice => lattice_within(surface, measured, Grading::Even),
         MeshMethod::Curvature => lattice_within(surface, measured, Grading::Curvature),
         MeshMethod::Subdivision => subdivide(surface, measured),
     };
-    mesh.map_err(|TooMany(wanted)| ToleranceError::TooFine { tolerance, wanted })
+    lattice.map_err(|TooMany(wanted)| ToleranceError::TooFine { tolerance, wanted })
 }
 
 /// About how many triangles are needed, more than a mesh may have.
@@ -102,13 +110,17 @@ pub(super) struct TooMany(pub f64);
 
 /// The first lattice of those tried whose deviation is within the tolerance; the next one tried is
 /// as much finer as deviations fall with the square of the segments' length.
-fn lattice_within(surface: &Covering, tolerance: f64, grading: Grading) -> Result<Mesh, TooMany> {
+fn lattice_within(
+    surface: &Covering,
+    tolerance: f64,
+    grading: Grading,
+) -> Result<Lattice, TooMany> {
     let mut segments = 2;
     loop {
         let lattice = surface.lattice(segments, grading);
         let excess = lattice_deviation(surface, &lattice) / tolerance;
         if excess <= 1.0 {
-            return Ok(surface.mesh(lattice));
+            return Ok(lattice);
         }
         let triangles = lattice.triangles.len() as f64;
         let most_times_finer = (MOST_TRIANGLES as f64 / triangles).sqrt();
@@ -122,5 +134,7 @@ fn lattice_within(surface: &Covering, tolerance: f64, grading: Grading) -> Resul
     }
 }
 
+#[cfg(test)]
+mod families;
 #[cfg(test)]
 mod tests;

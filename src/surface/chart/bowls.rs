@@ -72,11 +72,12 @@ fn within_rim(bowls: &SuperhyperboloidTwoSheets, [p, q]: [f64; 2]) -> [f64; 2] {
     if share == 0.0 {
         return [0.0; 2];
     }
-    let [towards_v, towards_w] = [p.abs() / share, q.abs() / share];
-    let excess = |r: f64| bowls.height(r * towards_v, r * towards_w) - bowls.top();
-    // The surface is at least as high as v and w are far from the apex.
-    let rim = increasing_root(excess, [0.0, bowls.top()]);
-    [rim * p, rim * q]
+    // The square's corners go towards those of the rim's box, where small exponents bend the rim.
+    let [greatest_v, greatest_w] = bowls.greatest_vw();
+    let [v, w] = [p / share * greatest_v, q / share * greatest_w];
+    let excess = |r: f64| bowls.height(r * v.abs(), r * w.abs()) - bowls.top();
+    let rim = share * increasing_root(excess, [0.0, 1.0]);
+    [rim * v, rim * w]
 }
 
 /// Every cell of the square lattice, counter-clockwise in the plane of p and q, and cut along the

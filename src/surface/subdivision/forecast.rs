@@ -11,6 +11,9 @@ const FIRST_SHARE: f64 = 0.05;
 /// From so many triangles on their number tells how many more are needed.
 const TELLING: usize = 2000;
 
+/// By what share of itself the number may be wrong, for each step that it looks ahead.
+const UNCERTAINTY: f64 = 0.25;
+
 /// A sequence of falling tolerances, and the numbers of triangles that they have taken.
 #[derive(Debug)]
 pub(super) struct Forecast {
@@ -47,8 +50,7 @@ impl Forecast {
             // inverse of the tolerance; along edges that triangles follow it rises less.
             self.growth = (triangles as f64 / before as f64).min(STEP);
             let wanted = self.triangles(triangles);
-            // The further ahead, the less is known.
-            let most = MOST_TRIANGLES as f64 * (1.0 + self.stages_left);
+            let most = MOST_TRIANGLES as f64 * (1.0 + UNCERTAINTY * self.stages_left);
             if triangles > TELLING && wanted > most {
                 return Err(TooMany(wanted));
             }

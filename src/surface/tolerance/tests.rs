@@ -6,7 +6,7 @@ use super::*;
 use crate::shape::Superellipsoid;
 use crate::surface::deviation::distance_to_triangle;
 
-const METHODS: [MeshMethod; 3] =
+pub(super) const METHODS: [MeshMethod; 3] =
     [MeshMethod::Lattice, MeshMethod::Curvature, MeshMethod::Subdivision];
 
 const EXPONENTS: [f64; 5] = [0.1, 0.5, 1.0, 1.5, 2.0];
@@ -15,10 +15,19 @@ const SIZES: [[f64; 3]; 4] =
     [[1.0, 1.0, 1.0], [2.0, 1.0, 0.5], [1e-6, 2e-6, 2e-5], [100.0, 100.0, 5.0]];
 
 /// Every method's mesh of every shape, within a share of the mean semi-axis.
-fn for_every_mesh(share: f64, mut check: impl FnMut(MeshMethod, &Superellipsoid, f64, &Mesh)) {
+fn for_every_mesh(share: f64, check: impl FnMut(MeshMethod, &Superellipsoid, f64, &Mesh)) {
+    for_meshes_of(&SIZES, share, check);
+}
+
+/// Those of some sizes.
+fn for_meshes_of(
+    sizes: &[[f64; 3]],
+    share: f64,
+    mut check: impl FnMut(MeshMethod, &Superellipsoid, f64, &Mesh),
+) {
     let pairs = EXPONENTS.into_iter().flat_map(|e1| EXPONENTS.map(|e2| [e1, e2]));
     for exponents in pairs {
-        for size in SIZES {
+        for &size in sizes {
             let shape = Superellipsoid::new(size, exponents).unwrap();
             let tolerance = share * shape.mean_semi_axis();
             for method in METHODS {
@@ -80,7 +89,7 @@ fn surface_and_mesh_are_nowhere_further_apart_than_the_tolerance() {
 }
 
 /// Least angle of a triangle, in degrees.
-fn least_angle(corners: [Vector3<f64>; 3]) -> f64 {
+pub(super) fn least_angle(corners: [Vector3<f64>; 3]) -> f64 {
     let angle = |i: usize| {
         let [a, b, c] = [0, 1, 2].map(|j| corners[(i + j) % 3]);
         (b - a).angle(&(c - a))
@@ -92,11 +101,9 @@ fn least_angle(corners: [Vector3<f64>; 3]) -> f64 {
 fn no_triangle_of_a_unit_shape_is_a_sliver() {
     for share in [0.03, 0.003] {
         let mut least = [f64::INFINITY; 3];
-        for_every_mesh(share, |method, shape, _, mesh| {
-            if shape.size() == [1.0; 3] {
-                let of_mesh = mesh.corners().map(least_angle).fold(f64::INFINITY, f64::min);
-                least[method as usize] = least[method as usize].min(of_mesh);
-            }
+        for_meshes_of(&[[1.0; 3]], share, |method, _, _, mesh| {
+            let of_mesh = mesh.corners().map(least_angle).fold(f64::INFINITY, f64::min);
+            least[method as usize] = least[method as usize].min(of_mesh);
         });
         // Lines crowd fourfold and sixfold, and quadrilaterals in the corner of a lid are skewed
         // besides; cuts of longest sides leave half of the first angles at least, and moving their
