@@ -23,10 +23,11 @@ fn shares(shape: &Shape) -> Vec<f64> {
     let mesh = tessellate_shape(shape, Resolution::new(64).unwrap());
     let sides = shape.bounding_box();
     let mut shares = vec![0.0; LEVELS * SECTORS];
+    let whole = mesh.area();
     for [a, b, c] in mesh.corners() {
         // In quarters, so that fewer are cut by the edge of a bin.
         let [d, e, f] = [0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)];
-        let area = 0.5 * (b - a).cross(&(c - a)).norm() / mesh.area();
+        let area = 0.5 * (b - a).cross(&(c - a)).norm() / whole;
         for corners in [[a, d, f], [d, b, e], [f, e, c], [d, e, f]] {
             shares[bin(&sides, &(corners.iter().sum::<Vector3<f64>>() / 3.0))] += 0.25 * area;
         }
