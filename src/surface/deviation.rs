@@ -9,6 +9,9 @@ use super::covering::Covering;
 /// Steps along each side of the grid of places at which a triangle is looked at.
 const STEPS: u32 = 6;
 
+/// Places between those of the grid, at shares that no period of a twist has.
+const BESIDE: [[f64; 2]; 4] = [[0.137, 0.291], [0.531, 0.077], [0.283, 0.619], [0.071, 0.093]];
+
 /// The greatest distance of a surface from the mesh of a lattice on it, as far as the places of a
 /// grid on each triangle show it.
 pub(super) fn lattice_deviation(surface: &Covering, lattice: &Lattice) -> f64 {
@@ -20,8 +23,8 @@ pub(super) fn lattice_deviation(surface: &Covering, lattice: &Lattice) -> f64 {
     lattice.triangles.par_iter().map(of_triangle).reduce(|| 0.0, f64::max)
 }
 
-/// The greatest distance from a triangle of the surface's points over a grid on the triangle of the
-/// polyhedron that it belongs to. They may be nearer to the triangle's neighbours.
+/// The greatest distance from a triangle of the surface's points over a grid, and beside it, on the
+/// triangle of the polyhedron that it belongs to. They may be nearer to the triangle's neighbours.
 ///
 /// As the polyhedron covers the surface, and the triangles correspond to each other side by side,
 /// no point of the mesh is further from the surface either.
@@ -30,11 +33,10 @@ pub(super) fn deviation(
     [a, b, c]: &[Vector3<f64>; 3],
     corners: &[Vector3<f64>; 3],
 ) -> f64 {
-    let places = (0..=STEPS).flat_map(|i| (0..=STEPS - i).map(move |j| [i, j]));
-    let points = places.map(|[i, j]| {
-        let [u, v] = [i, j].map(|step| f64::from(step) / f64::from(STEPS));
-        surface.point(&(a * (1.0 - u - v) + b * u + c * v))
-    });
+    let grid = (0..=STEPS).flat_map(|i| (0..=STEPS - i).map(move |j| [i, j]));
+    let shares = grid.map(|steps| steps.map(|step| f64::from(step) / f64::from(STEPS)));
+    let points =
+        shares.chain(BESIDE).map(|[u, v]| surface.point(&(a * (1.0 - u - v) + b * u + c * v)));
     points.map(|x| distance_to_triangle(&x, corners)).fold(0.0, f64::max)
 }
 
