@@ -146,12 +146,16 @@ impl<'a> Subdivision<'a> {
     fn coarse_sides(&self, triangle: [u32; 3]) -> Vec<Side> {
         let at = triangle.map(|i| i as usize);
         let [places, corners] = [&self.places, &self.points].map(|of| at.map(|i| of[i]));
-        let normals = [0, 1, 2].map(|i| self.normal(&places, &corners, i));
+        let tangents = [0, 1, 2].map(|i| self.tangents(&places, &corners, i));
+        let normals = tangents.map(|[next, last]| next.cross(&last));
         let mut sides: Vec<Side> = (0..3)
             .map(|i| [i, (i + 1) % 3])
             .filter(|&[i, j]| {
+                let chord = corners[j] - corners[i];
                 let divergence = angle(&normals[i], &normals[j]);
-                (corners[j] - corners[i]).norm() * divergence / 8.0 > self.tolerance
+                chord.norm() * divergence / 8.0 > self.tolerance
+                    || self.leaves(&chord, &tangents[i][0])
+                    || self.leaves(&chord, &tangents[j][1])
             })
             .map(|[i, j]| side(triangle[i], triangle[j]))
             .collect();
@@ -161,17 +165,24 @@ impl<'a> Subdivision<'a> {
         sides
     }
 
-    /// The normal at a corner of a triangle, from tangents along the two sides there; zero where the
-    /// surface has shrunk to a point.
-    fn normal(
+    /// The tangents at a corner of a triangle along its two sides there, to the next corner and to the
+    /// last, each as long as the side were if it went on like that.
+    fn tangents(
         &self,
         places: &[Vector3<f64>; 3],
         corners: &[Vector3<f64>; 3],
         i: usize,
-    ) -> Vector3<f64> {
-        let [next, last] = [(i + 1) % 3, (i + 2) % 3]
-            .map(|j| self.surface.point(&places[i].lerp(&places[j], INTO)) - corners[i]);
-        next.cross(&last)
+    ) -> [Vector3<f64>; 2] {
+        [(i + 1) % 3, (i + 2) % 3]
+            .map(|j| (self.surface.point(&places[i].lerp(&places[j], INTO)) - corners[i]) / INTO)
+    }
+
+    /// Whether a deformed side leaves its chord by more than the tolerance, as an arc with that
+    /// tangent does: a quarter of the tangent's part across the chord. Normals alone do not tell
+    /// whole turns of a twist.
+    fn leaves(&self, chord: &Vector3<f64>, tangent: &Vector3<f64>) -> bool {
+        let is_deformed = !self.surface.chain.stages().is_empty();
+        is_deformed && chord.cross(tangent).norm() > 4.0 * self.tolerance * chord.norm()
     }
 
     /// Where any side of a triangle is cut, its longest is too.

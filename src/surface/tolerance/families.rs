@@ -124,6 +124,15 @@ fn boundary_and_mesh_of_deformed_shapes_are_nowhere_further_apart_than_the_toler
     assert_eq!(families.len(), 5);
 }
 
+/// Twelve turns, one from each step of the first triangles' grids to the next.
+#[test]
+fn a_twist_in_step_with_the_places_that_are_looked_at_is_seen() {
+    let ribbon = Superellipsoid::new([0.5, 0.1, 1.0], [0.5, 0.5]).unwrap().into();
+    let twist = Twist::new(Line::new(0.0, 12.0 * std::f64::consts::PI).unwrap());
+    let solid = Deformed::new(ribbon, Chain::new([Deformation::new(twist)])).unwrap();
+    assert_within(&solid, 0.03, MeshMethod::Subdivision);
+}
+
 #[test]
 fn volumes_of_meshes_are_those_of_the_solids_and_triangles_face_outwards() {
     for (shape, _) in examples() {
