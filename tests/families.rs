@@ -154,15 +154,39 @@ fn every_family_is_meshed_to_every_format() {
 }
 
 #[test]
-fn a_tolerance_is_for_superellipsoids() {
-    let [_, tower, ..] = models();
+fn every_family_is_meshed_within_a_tolerance_by_every_method() {
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join("mesh.obj");
+    for model in models() {
+        let document = ModelDocument::from(&model).to_json();
+        for method in ["lattice", "curvature", "subdivision"] {
+            let facets = |tolerance: &str| {
+                let path_text = path.to_str().unwrap();
+                let tolerance = ["--tolerance", tolerance, "--method", method];
+                let output =
+                    run(&[&["mesh", "-", "-o", path_text][..], &tolerance].concat(), &document);
+                let message = String::from_utf8_lossy(&output.stderr);
+                assert_eq!(output.status.code(), Some(0), "{message}");
+                let text = std::fs::read_to_string(&path).unwrap();
+                text.lines().filter(|line| line.starts_with("f ")).count()
+            };
+            let [coarse, fine] = ["0.1", "0.01"].map(facets);
+            assert!(fine > 2 * coarse, "{method} {} {coarse} {fine}", model.shape.family());
+        }
+    }
+}
+
+#[test]
+fn a_tolerance_is_for_one_shape_and_not_for_a_solid_of_several() {
+    let ball =
+        json!({"shape": {"family": "superellipsoid", "size": [1, 1, 1], "exponents": [1, 1]}});
     let output = run(
         &["mesh", "-", "-o", "never.ply", "--tolerance", "0.1"],
-        &ModelDocument::from(&tower).to_json(),
+        &json!({"union": [ball, ball]}).to_string(),
     );
     let message = String::from_utf8_lossy(&output.stderr).into_owned();
     assert_eq!(output.status.code(), Some(2), "{message}");
-    assert!(message.contains("superhyperboloid_one_sheet"), "{message}");
+    assert!(message.contains("--resolution"), "{message}");
 }
 
 #[test]

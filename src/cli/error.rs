@@ -59,8 +59,8 @@ pub(super) enum CliError {
     MeshFormat(#[from] UnknownMeshFormat),
     #[error(transparent)]
     Tolerance(#[from] ToleranceError),
-    #[error("--tolerance is for a superellipsoid, found \"{0}\"; take --resolution")]
-    NoTolerance(&'static str),
+    #[error("{0}: --tolerance is for one shape, this solid is made of several; take --resolution")]
+    NoTolerance(String),
     #[error(transparent)]
     Output(#[from] OutputError),
     #[error(transparent)]

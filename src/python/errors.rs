@@ -13,7 +13,7 @@ use crate::exchange::{ExportError as CoreExportError, ImportError as CoreImportE
 use crate::output::OutputError;
 use crate::recover::FitError as CoreFitError;
 use crate::report::DocumentError as CoreDocumentError;
-use crate::surface::ResolutionError;
+use crate::surface::{ResolutionError, ToleranceError};
 use crate::view::ImageError as CoreImageError;
 
 create_exception!(
@@ -106,6 +106,12 @@ impl From<CoreDocumentError> for PyErr {
 
 impl From<ResolutionError> for PyErr {
     fn from(error: ResolutionError) -> Self {
+        ModelError::new_err(error.to_string())
+    }
+}
+
+impl From<ToleranceError> for PyErr {
+    fn from(error: ToleranceError) -> Self {
         ModelError::new_err(error.to_string())
     }
 }

@@ -16,6 +16,7 @@ mod read;
 mod score;
 mod shape;
 mod solid;
+mod surface;
 mod view;
 mod wireframe;
 

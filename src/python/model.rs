@@ -10,12 +10,13 @@ use super::arrays::{Array, Doubles, Table, Vector, map_angles, require_room, tab
 use super::derivatives;
 use super::errors::os_error;
 use super::pose::pose_of;
+use super::surface::{self, Fineness, MeshArrays};
 use crate::model::Model;
 use crate::output::write_whole;
 use crate::pose::Pose;
 use crate::report::{ModelDocument, model_from_json};
 use crate::shape::{Solid, Superellipsoid};
-use crate::surface::{Resolution, sample_solid, sample_surface, tessellate};
+use crate::surface::sample_solid;
 
 /// Greatest difference between the entries of rotations that count as the same: that of a matrix
 /// and its Euler angles where they are worst determined.
@@ -304,8 +305,7 @@ impl PyModel {
     /// the same seed. Domain: exponents up to 2.
     #[pyo3(signature = (n, seed = 0))]
     fn sample<'py>(&self, py: Python<'py>, n: usize, seed: u64) -> PyResult<Table<'py>> {
-        require_room(n)?;
-        table(py, py.detach(|| self.world_from_model(sample_surface(&self.0.shape, n, seed))))
+        surface::sample(py, &self.0.into(), n, seed)
     }
 
     /// `n` random points of the solid, uniform by volume: float64 of shape (n, 3), the same for
@@ -316,21 +316,40 @@ impl PyModel {
         table(py, py.detach(|| self.world_from_model(sample_solid(&self.0.shape, n, seed))))
     }
 
-    /// A closed mesh of the surface: vertices on it, float64 of shape (v, 3), and triangles,
-    /// uint32 of shape (t, 3), counter-clockwise as seen from outside. It has `v = 6 n^2 + 2`
-    /// and `t = 12 n^2` for a resolution n, an even number from 2 to 4096.
-    #[pyo3(signature = (resolution = 32))]
+    /// Points of the surface in rows around the model's z axis, of shape (rows, 4 n, 3), `n` steps
+    /// to a quarter of a turn, from
+    /// the south pole to the north pole. How they are spread along the rows, and the rows (JLS section 2.5),
+    /// tells `parameterization`: "trigonometric" by the angles of `position`, "angle_centre" by
+    /// angles at the centre, "explicit" by the coordinate that changes faster (`n` made even),
+    /// "equal_distance" along the curves. Points uniform by area are those of `sample`.
+    #[pyo3(signature = (n, parameterization = "equal_distance"))]
+    fn grid<'py>(&self, py: Python<'py>, n: usize, parameterization: &str) -> PyResult<Array<'py>> {
+        surface::grid(py, &self.0.into(), n, parameterization)
+    }
+
+    /// A closed mesh of the surface: vertices on it, float64 of shape (v, 3), and triangles, uint32 of
+    /// shape (t, 3), counter-clockwise as seen from outside.
+    ///
+    /// Args:
+    ///     resolution: segments along each edge of a lattice, an even number from 2 to 4096; 32 if
+    ///         nothing is given. It has `v = 6 n^2 + 2`
+    ///         and `t = 12 n^2`.
+    ///     tolerance: instead, how far mesh and surface may be from each other.
+    ///     method: how a mesh within a tolerance comes about: "subdivision" (if nothing is given)
+    ///         where normals diverge (Barr 1984), "lattice", or "curvature", a lattice whose lines
+    ///         are closer where the surface bends (Barr 1981).
+    ///
+    /// Raises:
+    ///     ModelError: if the resolution or the tolerance is none, or needs too many triangles.
+    #[pyo3(signature = (resolution = None, *, tolerance = None, method = None))]
     fn mesh<'py>(
         &self,
         py: Python<'py>,
-        resolution: usize,
-    ) -> PyResult<(Table<'py>, Table<'py, u32>)> {
-        let resolution = Resolution::new(resolution)?;
-        let (vertices, triangles) = py.detach(|| {
-            let mesh = tessellate(&self.0.shape, resolution);
-            (self.world_from_model(mesh.vertices().to_vec()), mesh.triangles().to_vec())
-        });
-        Ok((table(py, vertices)?, table(py, triangles)?))
+        resolution: Option<usize>,
+        tolerance: Option<f64>,
+        method: Option<&str>,
+    ) -> PyResult<MeshArrays<'py>> {
+        surface::mesh(py, &self.0.into(), &Fineness { resolution, tolerance, method })
     }
 
     /// The same solid, described by the one parameter vector that stands for all equivalent

@@ -11,12 +11,12 @@ use super::derivatives;
 use super::errors::os_error;
 use super::families::to_python;
 use super::model::square;
+use super::surface::{self, Fineness, MeshArrays};
 use crate::model::Model;
 use crate::output::write_whole;
 use crate::pose::Pose;
 use crate::report::{ModelDocument, any_model_from_json};
 use crate::shape::{Parametric, Shape, Solid};
-use crate::surface::{Resolution, tessellate_shape};
 
 /// A solid of a family besides the superellipsoids, in general position: what its kinds
 /// `SuperhyperboloidOneSheet`, `SuperhyperboloidTwoSheets`, `Supertoroid` and `ThreeExponent` can
@@ -203,19 +203,46 @@ impl PyShape {
         to_python(py, Model { shape: self.0.shape.dual()?, pose })
     }
 
-    /// A closed mesh of the boundary: vertices, float64 of shape (v, 3), and triangles, uint32 of
+    /// `n` random points of the boundary, the caps of a clip included, uniform by area: float64 of
+    /// shape (n, 3), the same for the same seed. Domain: exponents up to 2; of three, from 1.
+    #[pyo3(signature = (n, seed = 0))]
+    fn sample<'py>(&self, py: Python<'py>, n: usize, seed: u64) -> PyResult<Table<'py>> {
+        surface::sample(py, &self.0, n, seed)
+    }
+
+    /// Points of the surface in rows around the model's z axis, of shape (rows, 4 n, 3), `n` steps
+    /// to a quarter of a turn: around a
+    /// supertoroid's tube, or from the lower rim of one sheet to the upper; other families have none. How they are spread along the rows, and the rows (JLS section 2.5),
+    /// tells `parameterization`: "trigonometric" by the angles of `position`, "angle_centre" by
+    /// angles at the centre, "explicit" by the coordinate that changes faster (`n` made even),
+    /// "equal_distance" along the curves. Points uniform by area are those of `sample`.
+    #[pyo3(signature = (n, parameterization = "equal_distance"))]
+    fn grid<'py>(&self, py: Python<'py>, n: usize, parameterization: &str) -> PyResult<Array<'py>> {
+        surface::grid(py, &self.0, n, parameterization)
+    }
+
+    /// A closed mesh of the boundary: vertices on it, float64 of shape (v, 3), and triangles, uint32 of
     /// shape (t, 3), counter-clockwise as seen from outside.
-    #[pyo3(signature = (resolution = 32))]
+    ///
+    /// Args:
+    ///     resolution: segments along each edge of a lattice, an even number from 2 to 4096; 32 if
+    ///         nothing is given.
+    ///     tolerance: instead, how far mesh and surface may be from each other.
+    ///     method: how a mesh within a tolerance comes about: "subdivision" (if nothing is given)
+    ///         where normals diverge (Barr 1984), "lattice", or "curvature", a lattice whose lines
+    ///         are closer where the surface bends (Barr 1981).
+    ///
+    /// Raises:
+    ///     ModelError: if the resolution or the tolerance is none, or needs too many triangles.
+    #[pyo3(signature = (resolution = None, *, tolerance = None, method = None))]
     fn mesh<'py>(
         &self,
         py: Python<'py>,
-        resolution: usize,
-    ) -> PyResult<(Table<'py>, Table<'py, u32>)> {
-        let resolution = Resolution::new(resolution)?;
-        let mesh =
-            py.detach(|| tessellate_shape(&self.0.shape, resolution).transformed(&self.0.pose));
-        let vertices = mesh.vertices().iter().map(|&x| x.into()).collect();
-        Ok((table(py, vertices)?, table(py, mesh.triangles().to_vec())?))
+        resolution: Option<usize>,
+        tolerance: Option<f64>,
+        method: Option<&str>,
+    ) -> PyResult<MeshArrays<'py>> {
+        surface::mesh(py, &self.0, &Fineness { resolution, tolerance, method })
     }
 
     /// The model as JSON text, `{"shape": .., "pose": ..}`.

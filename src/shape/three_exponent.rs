@@ -63,7 +63,7 @@ impl ThreeExponent {
     }
 
     /// The factor that moves a point, not the centre, onto the surface along its ray.
-    fn radial_factor(&self, x: &Vector3<f64>) -> f64 {
+    pub(crate) fn radial_factor(&self, x: &Vector3<f64>) -> f64 {
         let logs = self.ratios(x).map(|u| u.abs().ln());
         let terms: [_; 3] = std::array::from_fn(|i| (self.exponents[i], logs[i]));
         log_shift(&terms, 0.0).exp()

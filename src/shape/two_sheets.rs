@@ -85,9 +85,10 @@ impl SuperhyperboloidTwoSheets {
         superellipse_norm(v, superellipse_norm(1.0, w, e1), e2)
     }
 
-    /// The greatest `|z| / a3`.
-    fn greatest_w(&self) -> f64 {
-        hyperbola_norm(self.top(), 1.0, self.exponents[0])
+    /// The greatest `|y| / a2` and `|z| / a3`.
+    pub(crate) fn greatest_vw(&self) -> [f64; 2] {
+        let [e1, e2] = self.exponents;
+        [e2, e1].map(|e| hyperbola_norm(self.top(), 1.0, e))
     }
 
     /// The greatest `|y| / a2` at `z = w a3`; that of the rim's point there.
@@ -146,7 +147,7 @@ impl Solid for SuperhyperboloidTwoSheets {
     fn support(&self, n: &Vector3<f64>) -> f64 {
         let [_, a2, a3] = self.size;
         let along_rim = |w: f64| a2 * n.y.abs() * self.greatest_v(w) + a3 * n.z.abs() * w;
-        self.clip * n.x.abs() + maximum(along_rim, [0.0, self.greatest_w()])
+        self.clip * n.x.abs() + maximum(along_rim, [0.0, self.greatest_vw()[1]])
     }
 
     fn mass_properties(&self) -> MassProperties {

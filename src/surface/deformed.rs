@@ -1,17 +1,13 @@
 //! Deformed surfaces as triangles and as points.
 
 use nalgebra::Vector3;
-use rand::{RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
 
+use super::covering::Covering;
 use super::mesh::Mesh;
-use super::sample::sample_surface;
+use super::patches::sample;
 use super::tessellate::{Resolution, tessellate};
 use crate::deform::{Deform, Deformed};
-use crate::shape::Superellipsoid;
-
-/// Margin on the greatest growth of area that is found at the vertices of a mesh.
-const MARGIN: f64 = 1.2;
+use crate::shape::Shape;
 
 /// A closed mesh of a deformed surface, in the shape's frame: the shape's mesh, its vertices
 /// deformed.
@@ -25,51 +21,21 @@ pub fn deformed_mesh<S>(solid: &Deformed<S>, mesh: &Mesh) -> Mesh {
 }
 
 /// `count` independent points of a deformed surface, uniform by area, in the shape's frame; the
-/// same for the same seed.
-///
-/// Points of the shape's surface are kept with a probability proportional to the growth of
-/// area there. The bound on it is a fifth more than at the vertices of a mesh; should a point
-/// exceed it, all are drawn anew with a greater one.
-pub fn sample_deformed_surface(solid: &Deformed, count: usize, seed: u64) -> Vec<Vector3<f64>> {
-    let vertices = tessellate(solid.shape(), Resolution::default());
-    let at_vertices = vertices.vertices().iter().map(|x| growth(solid, x));
-    let mut bound = MARGIN * at_vertices.fold(0.0, f64::max);
-    loop {
-        match kept(solid, count, seed, bound) {
-            Ok(points) => return points,
-            Err(exceeding) => bound = MARGIN * exceeding,
-        }
-    }
-}
-
-/// The growth of area at a surface point of the shape.
-fn growth(solid: &Deformed<Superellipsoid>, x: &Vector3<f64>) -> f64 {
-    let normal = solid.shape().gauge_gradient(x).normalize();
-    (solid.chain().normal_transform(x) * normal).norm()
-}
-
-/// Points kept under a bound, or the growth that exceeds it.
-fn kept(solid: &Deformed, count: usize, seed: u64, bound: f64) -> Result<Vec<Vector3<f64>>, f64> {
-    let mut rng = ChaCha8Rng::seed_from_u64(seed);
-    let mut points = Vec::with_capacity(count);
-    while points.len() < count {
-        for x in sample_surface(solid.shape(), count - points.len(), rng.random()) {
-            let growth = growth(solid, &x);
-            if growth > bound {
-                return Err(growth);
-            }
-            if rng.random::<f64>() * bound < growth {
-                points.push(solid.chain().forward_of(x.into()).into());
-            }
-        }
-    }
-    Ok(points)
+/// same for the same seed. Domain: that of [`sample_shape_surface`](super::sample_shape_surface).
+pub fn sample_deformed_surface<S: Copy + Into<Shape>>(
+    solid: &Deformed<S>,
+    count: usize,
+    seed: u64,
+) -> Vec<Vector3<f64>> {
+    sample(&Covering { shape: &(*solid.shape()).into(), chain: solid.chain() }, count, seed)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::deform::{Bend, Chain, Deformation, Line, Scale, Taper, Twist};
+    use crate::shape::Superellipsoid;
+    use crate::surface::sample_surface;
 
     fn solid() -> Deformed {
         let shape = Superellipsoid::new([0.8, 1.8, 0.6], [0.5, 0.8]).unwrap();

@@ -45,8 +45,13 @@ pub(super) fn lattice_lines(n: usize, exponents: &[f64], grading: Grading) -> Ve
 }
 
 /// Positions in `[-top, top]` of the `n + 1` lines, `n` even, across an even profile `radius(w)`,
-/// by the measure of [`Grading::Even`] along it.
-pub(super) fn profile_lines(n: usize, top: f64, radius: impl Fn(f64) -> f64) -> Vec<f64> {
+/// by the grading's measure along it.
+pub(super) fn profile_lines(
+    n: usize,
+    top: f64,
+    radius: impl Fn(f64) -> f64,
+    grading: Grading,
+) -> Vec<f64> {
     let place = |i: usize| top * i as f64 / TABLE_STEPS as f64;
     let mut measure = vec![0.0; TABLE_STEPS + 1];
     let mut last_angle = 0.0;
@@ -55,7 +60,7 @@ pub(super) fn profile_lines(n: usize, top: f64, radius: impl Fn(f64) -> f64) -> 
         let rise = radius(high) - radius(low);
         let (length, angle) = (rise.hypot(high - low), rise.atan2(high - low));
         let turn = if i == 1 { 0.0 } else { (angle - last_angle).abs() };
-        measure[i] = measure[i - 1] + Grading::Even.measure(length, turn);
+        measure[i] = measure[i - 1] + grading.measure(length, turn);
         last_angle = angle;
     }
     let half = n / 2;

@@ -1,6 +1,8 @@
 //! Surfaces as triangles and as points.
 
 mod boundary;
+mod chart;
+mod covering;
 mod deformed;
 mod deviation;
 mod families;
@@ -9,6 +11,7 @@ mod grading;
 mod lattice;
 mod mesh;
 mod parameterization;
+mod patches;
 mod sample;
 mod subdivision;
 mod tessellate;
@@ -16,9 +19,9 @@ mod tolerance;
 
 pub use boundary::boundary_mesh;
 pub use deformed::{deformed_mesh, sample_deformed_surface, tessellate_deformed};
-pub use families::tessellate_shape;
+pub use families::{sample_shape_surface, tessellate_shape};
 pub use mesh::Mesh;
-pub use parameterization::Parameterization;
+pub use parameterization::{NoRows, Parameterization};
 pub use sample::{sample_solid, sample_surface};
 pub use tessellate::{Resolution, ResolutionError, tessellate};
-pub use tolerance::{MeshMethod, ToleranceError, tessellate_within};
+pub use tolerance::{MeshMethod, ToleranceError, tessellate_deformed_within, tessellate_within};

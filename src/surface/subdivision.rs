@@ -4,40 +4,50 @@
 //! becoming thin; whether a side is cut is a matter of the side alone, so that neighbours agree
 //! and the mesh stays closed.
 
+mod forecast;
+
 use std::collections::HashMap;
 
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
+use super::chart::{Chart, Lattice};
+use super::covering::Covering;
 use super::deviation::deviation;
 use super::grading::Grading;
-use super::mesh::Mesh;
-use super::tessellate::{Resolution, lattice_mesh};
-use crate::shape::Superellipsoid;
+use super::tolerance::{MOST_TRIANGLES, TooMany};
+use forecast::Forecast;
 
-/// Most triangles of a mesh.
-const MOST_TRIANGLES: usize = 13_000_000;
+/// Segments of the lattice that it begins with, the coarsest.
+const FIRST_SEGMENTS: usize = 2;
 
-/// Share of a semi-axis at which a normal is taken beside a plane of symmetry: at exponent 2
-/// there is a crease, and a triangle's normals are those of its own side.
-const BESIDE: f64 = 1e-12;
+/// How far into a triangle, as a share of its sides, tangents are taken at a corner: the normal is
+/// then that of the triangle's own side of a bend.
+const INTO: f64 = 1e-4;
 
-/// A closed mesh from which the surface departs by at most `tolerance`, as far as
-/// [`deviation`] shows; none if that takes too many triangles.
+/// The lattice of a closed mesh from which the surface departs by at most `tolerance`, as far as
+/// [`deviation`] shows.
 ///
 /// It begins with the coarsest lattice. A side of length L whose ends' normals diverge by an
 /// angle delta is cut while the sagitta of such an arc, `L delta / 8`, is greater than the
-/// tolerance; and the longest side of a triangle from which the surface departs by more.
-pub(super) fn subdivide(shape: &Superellipsoid, tolerance: f64) -> Option<Mesh> {
-    let coarsest =
-        lattice_mesh(&shape.with_size([1.0; 3]), Resolution::new(2).ok()?, Grading::Even);
-    let mut subdivision = Subdivision::new(shape, &coarsest, tolerance);
-    while subdivision.refine() {
-        if subdivision.triangles.len() > MOST_TRIANGLES {
-            return None;
+/// tolerance; and the longest side of a triangle from which the surface departs by more. Coarser
+/// tolerances come first, and tell how many triangles the finest needs.
+///
+/// # Errors
+/// If these are more than a mesh may have.
+pub(super) fn subdivide(surface: &Covering, tolerance: f64) -> Result<Lattice, TooMany> {
+    let mut subdivision = Subdivision::new(surface);
+    let mut forecast = Forecast::new(tolerance, subdivision.extent());
+    while let Some(stage) = forecast.next_tolerance() {
+        subdivision.start(stage);
+        while subdivision.refine() {
+            if subdivision.triangles.len() > MOST_TRIANGLES {
+                return Err(TooMany(forecast.triangles(subdivision.triangles.len())));
+            }
         }
+        forecast.reached(subdivision.triangles.len())?;
     }
-    Some(subdivision.mesh())
+    Ok(subdivision.lattice())
 }
 
 /// A side by its vertices, the lower number first.
@@ -47,39 +57,55 @@ fn side(a: u32, b: u32) -> Side {
     [a.min(b), a.max(b)]
 }
 
-/// A mesh on the way. Lengths of sides are compared on the unit shape, which semi-axes stretch
-/// afterwards.
-struct Subdivision {
-    shape: Superellipsoid,
-    unit_shape: Superellipsoid,
-    size: Vector3<f64>,
+/// A mesh on the way. Lengths of sides are compared on the shape of semi-axes one, which those and
+/// the deformations stretch afterwards.
+struct Subdivision<'a> {
+    surface: &'a Covering<'a>,
     tolerance: f64,
-    unit_vertices: Vec<Vector3<f64>>,
+    /// Of each vertex: the place on the polyhedron, and the points there.
+    places: Vec<Vector3<f64>>,
+    unit_points: Vec<Vector3<f64>>,
+    points: Vec<Vector3<f64>>,
     /// The longest side first.
     triangles: Vec<[u32; 3]>,
     /// Whether a triangle is known to be fine enough.
     settled: Vec<bool>,
 }
 
-impl Subdivision {
-    fn new(shape: &Superellipsoid, start: &Mesh, tolerance: f64) -> Self {
+impl<'a> Subdivision<'a> {
+    fn new(surface: &'a Covering<'a>) -> Self {
+        let lattice = surface.lattice(FIRST_SEGMENTS, Grading::Even);
+        let points = lattice.unit_points.iter().map(|x| surface.stretched(x)).collect();
         let mut subdivision = Self {
-            shape: *shape,
-            unit_shape: shape.with_size([1.0; 3]),
-            size: Vector3::from(shape.size()),
-            tolerance,
-            unit_vertices: start.vertices().to_vec(),
+            surface,
+            tolerance: f64::INFINITY,
+            places: lattice.places,
+            unit_points: lattice.unit_points,
+            points,
             triangles: Vec::new(),
-            settled: vec![false; start.triangles().len()],
+            settled: vec![true; lattice.triangles.len()],
         };
         subdivision.triangles =
-            start.triangles().iter().map(|&triangle| subdivision.longest_first(triangle)).collect();
+            lattice.triangles.into_iter().map(|t| subdivision.longest_first(t)).collect();
         subdivision
     }
 
-    fn mesh(self) -> Mesh {
-        let vertices = self.unit_vertices.iter().map(|x| x.component_mul(&self.size)).collect();
-        Mesh::new(vertices, self.triangles)
+    /// How far vertices are from each other along the axes, at most.
+    fn extent(&self) -> f64 {
+        let [least, greatest] = [Vector3::inf, Vector3::sup]
+            .map(|of| self.points.iter().skip(1).fold(self.points[0], |a, b| of(&a, b)));
+        (greatest - least).max()
+    }
+
+    /// Looks at all triangles anew, by a lower tolerance.
+    fn start(&mut self, tolerance: f64) {
+        self.tolerance = tolerance;
+        self.settled.fill(false);
+    }
+
+    fn lattice(self) -> Lattice {
+        let Self { places, unit_points, triangles, .. } = self;
+        Lattice { places, unit_points, triangles }
     }
 
     /// Cuts every triangle that is not fine enough once, and those whose sides that cuts; says
@@ -118,29 +144,45 @@ impl Subdivision {
     /// The sides of a triangle whose normals diverge too greatly, or its longest where the surface
     /// is too far off nonetheless.
     fn coarse_sides(&self, triangle: [u32; 3]) -> Vec<Side> {
-        let corners = triangle.map(|i| self.unit_vertices[i as usize].component_mul(&self.size));
-        let middle = corners.iter().sum::<Vector3<f64>>();
-        let normals = corners.map(|x| self.normal(&x, &middle));
+        let at = triangle.map(|i| i as usize);
+        let [places, corners] = [&self.places, &self.points].map(|of| at.map(|i| of[i]));
+        let tangents = [0, 1, 2].map(|i| self.tangents(&places, &corners, i));
+        let normals = tangents.map(|[next, last]| next.cross(&last));
         let mut sides: Vec<Side> = (0..3)
             .map(|i| [i, (i + 1) % 3])
             .filter(|&[i, j]| {
+                let chord = corners[j] - corners[i];
                 let divergence = angle(&normals[i], &normals[j]);
-                (corners[j] - corners[i]).norm() * divergence / 8.0 > self.tolerance
+                chord.norm() * divergence / 8.0 > self.tolerance
+                    || self.leaves(&chord, &tangents[i][0])
+                    || self.leaves(&chord, &tangents[j][1])
             })
             .map(|[i, j]| side(triangle[i], triangle[j]))
             .collect();
-        if sides.is_empty() && deviation(&self.shape, &corners) > self.tolerance {
+        if sides.is_empty() && deviation(self.surface, &places, &corners) > self.tolerance {
             sides.push(side(triangle[0], triangle[1]));
         }
         sides
     }
 
-    /// The normal at a vertex as a triangle of that middle has it.
-    fn normal(&self, x: &Vector3<f64>, middle: &Vector3<f64>) -> Vector3<f64> {
-        let beside = x.zip_zip_map(middle, &self.size, |x, middle, size| {
-            if x == 0.0 { (BESIDE * size).copysign(middle) } else { x }
-        });
-        self.shape.gauge_gradient(&beside)
+    /// The tangents at a corner of a triangle along its two sides there, to the next corner and to the
+    /// last, each as long as the side were if it went on like that.
+    fn tangents(
+        &self,
+        places: &[Vector3<f64>; 3],
+        corners: &[Vector3<f64>; 3],
+        i: usize,
+    ) -> [Vector3<f64>; 2] {
+        [(i + 1) % 3, (i + 2) % 3]
+            .map(|j| (self.surface.point(&places[i].lerp(&places[j], INTO)) - corners[i]) / INTO)
+    }
+
+    /// Whether a deformed side leaves its chord by more than the tolerance, as an arc with that
+    /// tangent does: a quarter of the tangent's part across the chord. Normals alone do not tell
+    /// whole turns of a twist.
+    fn leaves(&self, chord: &Vector3<f64>, tangent: &Vector3<f64>) -> bool {
+        let is_deformed = !self.surface.chain.stages().is_empty();
+        is_deformed && chord.cross(tangent).norm() > 4.0 * self.tolerance * chord.norm()
     }
 
     /// Where any side of a triangle is cut, its longest is too.
@@ -170,9 +212,12 @@ impl Subdivision {
                 else {
                     continue;
                 };
-                *middle = self.unit_vertices.len() as u32;
-                let [x, y] = [p, q].map(|i| self.unit_vertices[i as usize]);
-                self.unit_vertices.push(self.unit_shape.radial_projection(&(0.5 * (x + y))));
+                *middle = self.places.len() as u32;
+                let place = 0.5 * (self.places[p as usize] + self.places[q as usize]);
+                let unit_point = self.surface.shape.unit_point(&place);
+                self.points.push(self.surface.stretched(&unit_point));
+                self.unit_points.push(unit_point);
+                self.places.push(place);
             }
         }
     }
@@ -181,7 +226,7 @@ impl Subdivision {
     /// numbers, whichever triangle asks.
     fn longest_first(&self, [a, b, c]: [u32; 3]) -> [u32; 3] {
         let key = |[p, q, _]: [u32; 3]| {
-            let [x, y] = [p, q].map(|i| self.unit_vertices[i as usize]);
+            let [x, y] = [p, q].map(|i| self.unit_points[i as usize]);
             ((x - y).norm_squared(), std::cmp::Reverse(side(p, q)))
         };
         let longer = |p: [u32; 3], q: [u32; 3]| {

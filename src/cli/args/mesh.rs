@@ -4,8 +4,11 @@ use clap::ValueEnum;
 
 use super::parse::{positive, resolution};
 use crate::cli::error::CliError;
+use crate::deform::Deformed;
 use crate::shape::Shape;
-use crate::surface::{Mesh, MeshMethod, Resolution, tessellate_shape, tessellate_within};
+use crate::surface::{
+    Mesh, MeshMethod, Resolution, deformed_mesh, tessellate_deformed_within, tessellate_shape,
+};
 
 /// How fine a mesh is to be.
 #[derive(Debug, clap::Args)]
@@ -14,8 +17,7 @@ pub(in crate::cli) struct FinenessArgs {
     /// along its longest side.
     #[arg(long, value_name = "N", default_value = "32", value_parser = resolution)]
     pub resolution: Resolution,
-    /// Instead, the greatest distance of mesh and surface, in the model's unit, before
-    /// deformations.
+    /// Instead, the greatest distance of mesh and surface, in the model's unit.
     #[arg(long, value_name = "LENGTH", value_parser = positive, conflicts_with = "resolution")]
     pub tolerance: Option<f64>,
     /// How a mesh within a tolerance comes about.
@@ -24,17 +26,16 @@ pub(in crate::cli) struct FinenessArgs {
 }
 
 impl FinenessArgs {
-    /// The mesh of a shape that is meant.
+    /// The mesh of a shape, deformed or not, that is meant.
     ///
     /// # Errors
     /// If the tolerance is none for the shape.
-    pub fn mesh(&self, shape: &Shape) -> Result<Mesh, CliError> {
-        match (self.tolerance, shape) {
-            (None, shape) => Ok(tessellate_shape(shape, self.resolution)),
-            (Some(tolerance), Shape::Superellipsoid(shape)) => {
-                Ok(tessellate_within(shape, tolerance, self.method.into())?)
+    pub fn mesh(&self, solid: &Deformed<Shape>) -> Result<Mesh, CliError> {
+        match self.tolerance {
+            None => Ok(deformed_mesh(solid, &tessellate_shape(solid.shape(), self.resolution))),
+            Some(tolerance) => {
+                Ok(tessellate_deformed_within(solid, tolerance, self.method.into())?)
             }
-            (Some(_), other) => Err(CliError::NoTolerance(other.family())),
         }
     }
 }

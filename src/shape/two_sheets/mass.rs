@@ -48,7 +48,7 @@ impl SuperhyperboloidTwoSheets {
         let crossing = self.top() / superellipse_norm(1.0, 1.0, e2);
         let cuts =
             [1.0, if crossing > 1.0 { super::hyperbola_norm(crossing, 1.0, e1) } else { 1.0 }];
-        8.0 * integral_in_pieces(strip, [0.0, self.greatest_w()], &cuts)
+        8.0 * integral_in_pieces(strip, [0.0, self.greatest_vw()[1]], &cuts)
     }
 }
 

@@ -3,12 +3,15 @@
 use std::collections::HashSet;
 
 use super::*;
-use crate::shape::{Superellipsoid, SuperhyperboloidTwoSheets};
+use crate::shape::{
+    Solid, Superellipsoid, SuperhyperboloidOneSheet, SuperhyperboloidTwoSheets, Supertoroid,
+    ThreeExponent,
+};
 
 const EXPONENTS: [f64; 5] = [0.1, 0.5, 1.0, 1.5, 2.0];
 
 /// Every family, with the Euler characteristic of its boundary.
-fn shapes() -> impl Iterator<Item = (Shape, i64)> {
+pub(in crate::surface) fn examples() -> impl Iterator<Item = (Shape, i64)> {
     let size = [2.0, 0.7, 1.3];
     EXPONENTS.into_iter().flat_map(move |e1| {
         EXPONENTS.into_iter().flat_map(move |e2| {
@@ -28,7 +31,7 @@ fn shapes() -> impl Iterator<Item = (Shape, i64)> {
 #[test]
 fn meshes_are_closed_and_of_the_boundarys_genus() {
     let mut count = 0;
-    for (shape, expected) in shapes() {
+    for (shape, expected) in examples() {
         let mesh = tessellate_shape(&shape, Resolution::new(8).unwrap());
         assert!(mesh.is_closed(), "{shape:?}");
         let edges: HashSet<[u32; 2]> = mesh
@@ -48,7 +51,7 @@ fn meshes_are_closed_and_of_the_boundarys_genus() {
 
 #[test]
 fn vertices_are_on_the_boundary() {
-    for (shape, _) in shapes() {
+    for (shape, _) in examples() {
         let mesh = tessellate_shape(&shape, Resolution::new(8).unwrap());
         for x in mesh.vertices() {
             let [within, beyond] = [x * (1.0 - 1e-9), x * (1.0 + 1e-9)];
@@ -67,7 +70,7 @@ fn vertices_are_on_the_boundary() {
 
 #[test]
 fn volume_and_area_come_near_those_of_the_solid() {
-    for (shape, _) in shapes() {
+    for (shape, _) in examples() {
         let mesh = tessellate_shape(&shape, Resolution::new(64).unwrap());
         let [volume, area] = [mesh.volume() / shape.volume(), mesh.area() / shape.surface_area()];
         // Chords fall short by the square of their length, at edges of small exponents by more.

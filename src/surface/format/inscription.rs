@@ -1,7 +1,7 @@
 //! The model's parameters, inscribed in the file of its mesh.
 //!
 //! What is inscribed is the model's JSON document, on one line, whose numbers read back as the
-//! same doubles. The 80 bytes of STL's header do not hold eleven doubles; see `stl.rs`.
+//! same doubles. The 80 bytes of STL's header do not hold eleven doubles; see `stl_header.rs`.
 
 use std::io::{self, Read};
 

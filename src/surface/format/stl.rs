@@ -4,7 +4,8 @@ use std::io::{self, Write};
 
 use nalgebra::Vector3;
 
-use super::{Mesh, float, stl_header};
+use super::stl_header::Parameters;
+use super::{Mesh, float};
 use crate::model::Model;
 use crate::shape::Shape;
 
@@ -15,14 +16,16 @@ pub(super) fn write(
     model: Option<&Model<Shape>>,
     writer: &mut (impl Write + ?Sized),
 ) -> io::Result<()> {
-    writer.write_all(&stl_header::header(model))?;
+    let parameters = Parameters::new(model, mesh.triangles().len());
+    writer.write_all(&parameters.header)?;
     let count = u32::try_from(mesh.triangles().len()).map_err(io::Error::other)?;
     writer.write_all(&count.to_le_bytes())?;
-    for [a, b, c] in mesh.corners() {
+    let attributes = parameters.attributes.into_iter().chain(std::iter::repeat(0));
+    for ([a, b, c], attribute) in mesh.corners().zip(attributes) {
         for vector in [unit_normal([a, b, c]), a, b, c] {
             write_floats(&vector, writer)?;
         }
-        writer.write_all(&[0, 0])?;
+        writer.write_all(&attribute.to_le_bytes())?;
     }
     Ok(())
 }
@@ -53,8 +56,10 @@ mod tests {
         assert_eq!(bytes[80..84], (mesh.triangles().len() as u32).to_le_bytes());
         let records: Vec<&[u8]> = bytes[84..].chunks(50).collect();
         assert_eq!(records.len(), mesh.triangles().len());
-        for (record, [a, b, c]) in records.iter().zip(mesh.corners()) {
-            assert_eq!((record.len(), &record[48..]), (50, &[0, 0][..]));
+        for (i, (record, [a, b, c])) in records.iter().zip(mesh.corners()).enumerate() {
+            assert_eq!(record.len(), 50);
+            // Bits of the model's rotation in the first fifteen, and no mark of a colour.
+            assert!(record[49] < 0x80 && (i < 15 || record[48..] == [0, 0]));
             let floats: Vec<f32> = record[..48]
                 .chunks(4)
                 .map(|bytes| f32::from_le_bytes(bytes.try_into().unwrap()))

@@ -11,28 +11,31 @@ pub(super) fn quarter([a, b]: [f64; 2], e: f64, n: usize) -> Vec<[f64; 2]> {
     if n == 0 {
         return vec![[a, 0.0]];
     }
-    let lengths = chord_lengths([a, b], e);
-    let total = lengths[TABLE_STEPS];
-    let point = |i: usize| {
-        let [x, y] = quarter_point(e, parameter(e, inverse(&lengths, total * i as f64 / n as f64)));
+    let point = |share: f64| {
+        let [x, y] = quarter_point(e, (2.0 * share - 1.0) * greatest_arc_parameter(e));
         [a * x, b * y]
     };
-    let inner = (1..n).map(point);
+    let inner = evenly_spread(point, TABLE_STEPS, n).map(point);
     std::iter::once([a, 0.0]).chain(inner).chain(std::iter::once([0.0, b])).collect()
 }
 
-/// The arc's parameter at a share of the table.
-fn parameter(e: f64, share: f64) -> f64 {
-    (2.0 * share - 1.0) * greatest_arc_parameter(e)
+/// The `n - 1` shares of a curve's parameter that cut it into `n` parts of equal length, as far as
+/// so many chords tell.
+pub(super) fn evenly_spread(
+    point: impl Fn(f64) -> [f64; 2],
+    chords: usize,
+    n: usize,
+) -> impl Iterator<Item = f64> {
+    let lengths = chord_lengths(point, chords);
+    (1..n).map(move |i| inverse(&lengths, lengths[chords] * i as f64 / n as f64))
 }
 
-/// Length of the curve from the x axis to each entry.
-fn chord_lengths([a, b]: [f64; 2], e: f64) -> Vec<f64> {
-    let mut last = [1.0, 0.0];
-    let mut length = 0.0;
-    let lengths = (0..=TABLE_STEPS).map(|i| {
-        let next = quarter_point(e, parameter(e, i as f64 / TABLE_STEPS as f64));
-        length += (a * (next[0] - last[0])).hypot(b * (next[1] - last[1]));
+/// Length of the curve from its beginning to each entry.
+fn chord_lengths(point: impl Fn(f64) -> [f64; 2], chords: usize) -> Vec<f64> {
+    let (mut last, mut length) = (point(0.0), 0.0);
+    let lengths = (0..=chords).map(|i| {
+        let next = point(i as f64 / chords as f64);
+        length += (next[0] - last[0]).hypot(next[1] - last[1]);
         last = next;
         length
     });

@@ -6,7 +6,10 @@
 mod angle_centre;
 mod equal_distance;
 mod explicit;
+mod families;
 mod trigonometric;
+
+pub use families::NoRows;
 
 use nalgebra::{Vector2, Vector3};
 
@@ -54,10 +57,7 @@ impl Parameterization {
             return angle_centre::superellipsoid(shape, n);
         }
         let [meridian, equator] = self.product(shape, |_| n);
-        let row = |[scale, z]: [f64; 2]| {
-            equator.iter().map(|[x, y]| Vector3::new(scale * x, scale * y, z)).collect()
-        };
-        meridian.into_iter().map(row).collect()
+        rows(&meridian, &equator)
     }
 
     /// The meridian `(m1, a3 m2)` from the south pole to the north pole, and the equator
@@ -89,6 +89,14 @@ impl Parameterization {
             Self::EqualDistance => equal_distance::quarter(size, e, n),
         }
     }
+}
+
+/// The spherical product (B81) of a meridian of scales and heights with an equator.
+fn rows(meridian: &[[f64; 2]], equator: &[[f64; 2]]) -> Vec<Vec<Vector3<f64>>> {
+    let row = |&[scale, z]: &[f64; 2]| {
+        equator.iter().map(|[x, y]| Vector3::new(scale * x, scale * y, z)).collect()
+    };
+    meridian.iter().map(row).collect()
 }
 
 /// A quarter and its reflections, once around without the end of each.

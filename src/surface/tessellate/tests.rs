@@ -1,3 +1,5 @@
+use nalgebra::Vector3;
+
 use super::*;
 
 const EXPONENTS: [f64; 7] = [0.05, 0.1, 0.5, 1.0, 1.5, 1.9, 2.0];
