@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use super::hits::Ray;
+use super::half_line::Ray;
 use super::target::Hittable;
 use crate::view::{Camera, OrthographicCamera};
 

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 use rayon::prelude::*;
 
-use super::hits::Ray;
+use super::half_line::Ray;
 use super::render::{Rays, Rendering, render};
 use super::shading::{Light, Material, Shading};
 use super::solid_target::SolidTarget;
