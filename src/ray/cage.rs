@@ -4,33 +4,42 @@ use std::sync::OnceLock;
 
 use nalgebra::Vector3;
 
-use crate::math::{Dual, Interval};
-use crate::shape::LevelSet;
+use super::enclosure::{Image, Tangent, slopes_of};
+use super::half_line::Ray;
+use crate::deform::{Deform, Deformed};
+use crate::math::Interval;
+use crate::shape::{LevelSet, Solid};
 
-/// Halvings of the cage's sides after which cells are cut no more.
-const MOST_HALVINGS: u32 = 8;
+/// Halvings of a side after which cells are not cut across it any more.
+const MOST_HALVINGS: u32 = 6;
 
 /// Share of a level's change across a cell by which it may differ from a linear function there,
 /// for the cell to be cut no more.
-const FLATNESS: f64 = 0.2;
+const FLATNESS: f64 = 0.25;
 
-/// Share of the cage's sides by which cells reach beyond their sides: points that rounding
-/// takes out of them.
+/// Halvings of the cells by whose images a box is laid around the solid.
+const HALVINGS_OF_BOUNDS: u32 = 10;
+
+/// Share of the undeformed box's size by which it is widened.
 const MARGIN: f64 = 1e-9;
 
-/// A box that is cut into eight cells, these into eight and so on, where its solid's surface is.
+/// The box around an undeformed shape, halved and halved again where the surface is; each cell
+/// with its deformed image.
 ///
 /// A cell is judged when it is first asked for, so that only what rays come by is ever cut.
 #[derive(Debug, Clone)]
 pub(super) struct Cage {
-    extent: Extent,
-    margin: Vector3<f64>,
     root: Cell,
 }
 
-/// A cell that may not have been judged yet.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Cell(OnceLock<Content>);
+/// A box of undeformed space, which may not have been judged yet.
+#[derive(Debug, Clone)]
+pub(super) struct Cell {
+    sides: [Interval; 3],
+    /// Of each side.
+    halvings: [u32; 3],
+    content: OnceLock<Content>,
+}
 
 /// What is known of a cell.
 #[derive(Debug, Clone)]
@@ -38,109 +47,153 @@ pub(super) enum Content {
     /// The surface is not in it.
     Apart,
     /// The surface may be in it, and the level is about linear.
-    Surface(Box<Tangent>),
-    /// The surface may be in it: its eight parts tell more.
-    Cut(Box<[Cell; 8]>),
+    Surface(Box<(Option<Image>, Tangent)>),
+    /// The surface may be in it: its halves tell more.
+    Cut(Box<(Option<Image>, [Cell; 2])>),
 }
 
-/// A linear function that a level differs from by a bounded error throughout a cell.
+/// What of a ray's stretch may cross the surface.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Tangent {
-    /// The level less 1 in the cell's middle.
-    pub excess: f64,
-    /// The slopes of the linear function.
-    pub gradient: Vector3<f64>,
-    /// By how much the level's own slopes may differ from them.
-    pub spread: Vector3<f64>,
-    /// By how much the level may differ from the function.
-    pub error: f64,
-}
-
-/// Where a cell is.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Extent {
-    pub middle: Vector3<f64>,
-    pub half: Vector3<f64>,
-    halvings: u32,
-}
-
-impl Extent {
-    /// That of one of the eight parts: bit i of its number tells the half along axis i.
-    pub fn part(&self, number: usize) -> Self {
-        let half = 0.5 * self.half;
-        let towards = |axis: usize| if number >> axis & 1 == 0 { -half[axis] } else { half[axis] };
-        let middle = Vector3::from_fn(|axis, _| self.middle[axis] + towards(axis));
-        Self { middle, half, halvings: self.halvings + 1 }
-    }
+pub(super) struct Stretch {
+    pub range: [f64; 2],
+    /// Whether every crossing leads out of the solid, or into it; nothing, if that is unknown.
+    pub outwards: Option<bool>,
 }
 
 impl Cage {
-    /// The cage of a box `[min, max]`.
-    pub fn new([min, max]: &[Vector3<f64>; 2]) -> Self {
-        let extent = Extent { middle: 0.5 * (min + max), half: 0.5 * (max - min), halvings: 0 };
-        Self { extent, margin: MARGIN * extent.half, root: Cell::default() }
-    }
-
-    /// The outermost cell, and where it is.
-    pub fn root(&self) -> (&Cell, Extent) {
-        (&self.root, self.extent)
-    }
-
-    /// What is known of a cell of a solid's space.
-    pub fn content<'a>(
-        &self,
-        cell: &'a Cell,
-        extent: &Extent,
-        solid: &impl LevelSet,
-    ) -> &'a Content {
-        cell.0.get_or_init(|| self.judged(extent, solid))
-    }
-
-    fn judged(&self, extent: &Extent, solid: &impl LevelSet) -> Content {
-        let half = extent.half + self.margin;
-        let sides: [Interval; 3] = std::array::from_fn(|i| {
-            Interval::new(extent.middle[i] - half[i], extent.middle[i] + half[i])
+    /// The cage of a shape.
+    pub fn new(shape: &impl Solid) -> Self {
+        let [min, max] = shape.bounding_box();
+        let sides = std::array::from_fn(|i| {
+            Interval::new(min[i], max[i]).widened(MARGIN * (max[i] - min[i]))
         });
-        if !solid.level(sides).contains(1.0) {
-            return Content::Apart;
-        }
-        let tangent = Tangent::over(solid, extent.middle, half, sides);
-        let change = tangent.gradient.abs().dot(&half);
-        if tangent.excess.abs() > change + tangent.error {
-            Content::Apart
-        } else if tangent.error <= FLATNESS * change || extent.halvings == MOST_HALVINGS {
-            Content::Surface(Box::new(tangent))
-        } else {
-            Content::Cut(Box::default())
-        }
+        Self { root: Cell::new(sides, [0; 3]) }
+    }
+
+    /// A box around the deformed solid, `[min, max]`; none, if cells do not tell enough.
+    pub fn bounds(&self, solid: &Deformed<impl LevelSet>) -> Option<[Vector3<f64>; 2]> {
+        let nothing = Vector3::from_element(f64::INFINITY);
+        self.root.bounds(solid, [nothing, -nothing])
+    }
+
+    /// The stretches of a ray that may cross the surface, in ascending order and apart from each
+    /// other.
+    pub fn stretches(
+        &self,
+        solid: &Deformed<impl LevelSet>,
+        ray: &Ray,
+        range: [f64; 2],
+    ) -> Vec<Stretch> {
+        let mut found = Vec::new();
+        self.root.find(solid, ray, range, &mut found);
+        found.sort_unstable_by(|a, b| a.range[0].total_cmp(&b.range[0]));
+        found.dedup_by(|next, last| {
+            let overlap = next.range[0] <= last.range[1];
+            if overlap {
+                last.range[1] = last.range[1].max(next.range[1]);
+                last.outwards = last.outwards.filter(|_| next.outwards == last.outwards);
+            }
+            overlap
+        });
+        found
     }
 }
 
-impl Tangent {
-    /// The level over a box, by the mean value theorem from its middle.
-    fn over(
-        solid: &impl LevelSet,
-        middle: Vector3<f64>,
-        half: Vector3<f64>,
-        sides: [Interval; 3],
-    ) -> Self {
-        let slopes = [0, 1, 2].map(|axis| solid.level(Dual::along(axis, sides)).slope);
-        let excess = solid.level([middle.x, middle.y, middle.z].map(Interval::point)) + -1.0;
-        let gradient = Vector3::from(slopes.map(Interval::middle));
-        let spread = Vector3::from_fn(|i, _| {
-            (slopes[i].hi() - gradient[i]).max(gradient[i] - slopes[i].lo()).next_up()
-        });
-        // The sums are rounded, too.
-        let rounding = 1e-13 * (1.0 + excess.middle().abs() + gradient.abs().dot(&half));
-        let error = spread.dot(&half) + excess.width() + rounding;
-        // Slopes without bound tell nothing.
-        let is_known = error.is_finite() && gradient.iter().all(|slope| slope.is_finite());
-        if is_known {
-            Self { excess: excess.middle(), gradient, spread, error }
-        } else {
-            let unbounded = Vector3::from_element(f64::INFINITY);
-            let gradient = Vector3::zeros();
-            Self { excess: 0.0, gradient, spread: unbounded, error: f64::INFINITY }
+impl Cell {
+    fn new(sides: [Interval; 3], halvings: [u32; 3]) -> Self {
+        Self { sides, halvings, content: OnceLock::new() }
+    }
+
+    fn content(&self, solid: &Deformed<impl LevelSet>) -> &Content {
+        self.content.get_or_init(|| self.judged(solid))
+    }
+
+    fn find(
+        &self,
+        solid: &Deformed<impl LevelSet>,
+        ray: &Ray,
+        range: [f64; 2],
+        found: &mut Vec<Stretch>,
+    ) {
+        let within = |image: &Option<Image>| match image {
+            Some(image) => image.clipped(ray, range),
+            None => Some(range),
+        };
+        match self.content(solid) {
+            Content::Apart => {}
+            Content::Cut(cut) => {
+                let (image, halves) = &**cut;
+                if let Some(range) = within(image) {
+                    halves.iter().for_each(|half| half.find(solid, ray, range, found));
+                }
+            }
+            Content::Surface(surface) => {
+                let (image, tangent) = &**surface;
+                let stretch = within(image).and_then(|range| tangent.stretch(ray, range));
+                found.extend(stretch);
+            }
         }
+    }
+
+    /// A box, extended by the images of the cell's parts.
+    fn bounds(
+        &self,
+        solid: &Deformed<impl LevelSet>,
+        bounds: [Vector3<f64>; 2],
+    ) -> Option<[Vector3<f64>; 2]> {
+        let image = match self.content(solid) {
+            Content::Apart => return Some(bounds),
+            Content::Cut(cut) if self.halvings.iter().sum::<u32>() < HALVINGS_OF_BOUNDS || cut.0.is_none() => {
+                let [first, second] = &cut.1;
+                return second.bounds(solid, first.bounds(solid, bounds)?);
+            }
+            Content::Cut(cut) => cut.0.as_ref(),
+            Content::Surface(surface) => surface.0.as_ref(),
+        };
+        let [low, high] = image?.bounds();
+        Some([bounds[0].inf(&low), bounds[1].sup(&high)])
+    }
+
+    fn judged(&self, solid: &Deformed<impl LevelSet>) -> Content {
+        if !solid.shape().level(self.sides).contains(1.0) {
+            return Content::Apart;
+        }
+        let jacobian = slopes_of(self.sides, |x| solid.chain().forward_of(x));
+        let image = Image::of(solid.chain(), self.sides, &jacobian);
+        let is_of_domain = solid.chain().check(self.sides).is_ok();
+        let jacobian = is_of_domain.then_some(&jacobian);
+        let tangent = Tangent::of(solid.shape(), self.sides, image.as_ref(), jacobian);
+        if tangent.is_apart() {
+            return Content::Apart;
+        }
+        let errors = tangent.errors().unwrap_or_else(|| self.shares());
+        match self.side_to_cut(&errors, FLATNESS * tangent.change()) {
+            Some(across) => Content::Cut(Box::new((image, self.halves(across)))),
+            None => Content::Surface(Box::new((image, tangent))),
+        }
+    }
+
+    /// The side that most of the error is due to, of those that may still be cut; none, if their
+    /// errors add up to less than is tolerated.
+    fn side_to_cut(&self, errors: &[f64; 3], tolerated: f64) -> Option<usize> {
+        let left = (0..3).filter(|&side| self.halvings[side] < MOST_HALVINGS);
+        let sum: f64 = left.clone().map(|side| errors[side]).sum();
+        let worst = left.max_by(|&a, &b| errors[a].total_cmp(&errors[b]))?;
+        (sum > tolerated).then_some(worst)
+    }
+
+    /// The sides as shares of the whole ones, times what is beyond all errors.
+    fn shares(&self) -> [f64; 3] {
+        self.halvings.map(|halvings| f64::MAX / 4.0 / f64::from(1 << halvings))
+    }
+
+    /// The halves across a side.
+    fn halves(&self, across: usize) -> [Self; 2] {
+        self.sides[across].halves().map(|half| {
+            let (mut sides, mut halvings) = (self.sides, self.halvings);
+            sides[across] = half;
+            halvings[across] += 1;
+            Self::new(sides, halvings)
+        })
     }
 }

@@ -2,6 +2,7 @@
 
 mod along;
 mod cage;
+mod enclosure;
 mod half_line;
 mod hits;
 mod image;

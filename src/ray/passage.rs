@@ -4,8 +4,7 @@ use super::half_line::Ray;
 use super::solid_target::Part;
 use super::target::{Hit, outward_normal};
 use super::walk::Walk;
-use crate::deform::Deformed;
-use crate::shape::LevelSet;
+use crate::shape::{LevelSet, Solid};
 use crate::solid::Tree;
 
 /// The hits of a ray with a solid, in ascending order; as they are asked for.
@@ -22,8 +21,7 @@ pub(super) struct Passage<'a, S> {
 
 /// A ray's meeting with a part.
 struct Meeting<'a, S> {
-    ray: Ray,
-    walk: Walk<'a, Deformed<S>>,
+    walk: Walk<'a, S>,
     /// Whether the ray is inside, as far as it has come.
     is_inside: bool,
     next: Next,
@@ -38,14 +36,13 @@ enum Next {
     Never,
 }
 
-impl<'a, S: LevelSet> Meeting<'a, S> {
+impl<'a, S: Solid + LevelSet> Meeting<'a, S> {
     /// That of a ray of the world, if it meets the part's box.
     fn of(part: &'a Part<S>, ray: &Ray) -> Option<Self> {
         let ray = ray.in_frame(&part.primitive.pose);
         let range = ray.clipped(&part.bounds)?;
         let walk = Walk::new(&part.primitive.deformed, &part.cage, ray, range);
-        let is_inside = range[0] == 0.0 && walk.is_inside(0.0);
-        Some(Self { ray, walk, is_inside, next: Next::From(range[0]) })
+        Some(Self { is_inside: walk.is_inside(), walk, next: Next::From(range[0]) })
     }
 
     /// Where the next crossing is or may be, and whether it is known to be there.
@@ -67,7 +64,7 @@ impl<'a, S: LevelSet> Meeting<'a, S> {
     }
 }
 
-impl<'a, S: LevelSet> Passage<'a, S> {
+impl<'a, S: Solid + LevelSet> Passage<'a, S> {
     /// That of a ray, if it may come into the solid at all.
     pub fn of(tree: &'a Tree<usize>, parts: &'a [Part<S>], ray: &Ray) -> Option<Self> {
         let meetings: Vec<_> = parts.iter().map(|part| Meeting::of(part, ray)).collect();
@@ -98,14 +95,16 @@ impl<'a, S: LevelSet> Passage<'a, S> {
     fn hit(&self, part: usize, t: f64) -> Option<Hit> {
         let meeting = self.meetings[part].as_ref()?;
         let primitive = &self.parts[part].primitive;
-        let outward = outward_normal(&primitive.deformed, &meeting.ray.at(t));
+        let undeformed = primitive.deformed.undeformed(&meeting.walk.ray().at(t));
+        let normal = outward_normal(primitive.deformed.shape(), &undeformed);
+        let outward = primitive.deformed.deformed_normal(&undeformed, &normal);
         let is_taken_away = meeting.is_inside != self.is_inside;
         let normal = primitive.pose.rotation() * if is_taken_away { -outward } else { outward };
         Some(Hit { t, position: self.ray.at(t), normal })
     }
 }
 
-impl<S: LevelSet> Iterator for Passage<'_, S> {
+impl<S: Solid + LevelSet> Iterator for Passage<'_, S> {
     type Item = Hit;
 
     fn next(&mut self) -> Option<Hit> {

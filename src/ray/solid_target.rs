@@ -42,12 +42,14 @@ impl<S: Solid + LevelSet + Clone> SolidTarget<S> {
 
 impl<S: Solid + LevelSet> Part<S> {
     fn new(primitive: Primitive<S>) -> Self {
-        let bounds = widened(primitive.deformed.bounding_box());
-        Self { primitive, cage: Cage::new(&bounds), bounds }
+        let cage = Cage::new(primitive.deformed.shape());
+        let bounds = cage.bounds(&primitive.deformed);
+        let bounds = widened(bounds.unwrap_or_else(|| primitive.deformed.bounding_box()));
+        Self { primitive, bounds, cage }
     }
 }
 
-impl<S: LevelSet> Hittable for SolidTarget<S> {
+impl<S: Solid + LevelSet> Hittable for SolidTarget<S> {
     fn first_hit(&self, ray: &Ray) -> Option<Hit> {
         Passage::of(&self.tree, &self.parts, ray)?.next()
     }
