@@ -25,7 +25,7 @@ pub use gauss_kronrod::{VectorIntegral, integrate};
 pub use instruction_set::{InstructionSet, InstructionSetError, instruction_set};
 pub use interval::Interval;
 pub(crate) use maximum::maximum;
-pub(crate) use quadrature::integral_in_pieces;
+pub(crate) use quadrature::{DOUBLE_EXPONENTIAL, double_exponential, integral_in_pieces};
 pub(crate) use root::increasing_root;
 pub use scalar::Scalar;
 pub use signed_power::signed_power;

@@ -8,6 +8,10 @@ use crate::shape::LevelSet;
 /// within so many.
 const MOST_STEPS: usize = 80;
 
+/// Share of t below which a step of Newton's method is the last: the error after it is of the
+/// order of its square.
+const LAST_STEP: f64 = 1e-11;
+
 /// A solid's level as a function of a ray's t.
 #[derive(Debug)]
 pub(super) struct Along<'a, S> {
@@ -58,15 +62,20 @@ impl<S: LevelSet> Along<'_, S> {
     pub fn crossing(&self, [mut low, mut high]: [f64; 2], starts_inside: bool, mut t: f64) -> f64 {
         for _ in 0..MOST_STEPS {
             let Dual { value, slope } = self.solid.level(self.ray.over(t));
+            if value == 1.0 {
+                break;
+            }
             let is_inside = value < 1.0;
             if is_inside == starts_inside { low = t } else { high = t }
             let newton = t - (value - 1.0) / slope;
-            let next = if low < newton && newton < high { newton } else { 0.5 * (low + high) };
-            let has_settled = (next - t).abs() <= f64::EPSILON * t.abs() || value == 1.0;
+            let is_within = low < newton && newton < high;
+            let next = if is_within { newton } else { 0.5 * (low + high) };
+            let share = if is_within { LAST_STEP } else { f64::EPSILON };
+            let has_settled = (next - t).abs() <= share * t.abs();
+            t = next;
             if has_settled {
                 break;
             }
-            t = next;
         }
         t
     }

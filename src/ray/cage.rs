@@ -17,8 +17,9 @@ const MOST_HALVINGS: u32 = 6;
 /// for the cell to be cut no more.
 const FLATNESS: f64 = 0.25;
 
-/// Halvings of the cells by whose images a box is laid around the solid.
-const HALVINGS_OF_BOUNDS: u32 = 10;
+/// Halvings in all up to which a cell's hull is the box around those of its halves: images of
+/// large cells are far from linear.
+const HALVINGS_OF_BOXES: u32 = 10;
 
 /// Share of the undeformed box's size by which it is widened.
 const MARGIN: f64 = 1e-9;
@@ -47,9 +48,20 @@ pub(super) enum Content {
     /// The surface is not in it.
     Apart,
     /// The surface may be in it, and the level is about linear.
-    Surface(Box<(Option<Image>, Tangent)>),
+    Surface(Box<(Hull, Tangent)>),
     /// The surface may be in it: its halves tell more.
-    Cut(Box<(Option<Image>, [Cell; 2])>),
+    Cut(Box<(Hull, [Cell; 2])>),
+}
+
+/// What of deformed space holds the surface that a cell may have.
+#[derive(Debug, Clone)]
+pub(super) enum Hull {
+    /// All of it, as far as is known.
+    Unknown,
+    /// A box `[min, max]`.
+    Box([Vector3<f64>; 2]),
+    /// The cell's image.
+    Image(Image),
 }
 
 /// What of a ray's stretch may cross the surface.
@@ -72,8 +84,7 @@ impl Cage {
 
     /// A box around the deformed solid, `[min, max]`; none, if cells do not tell enough.
     pub fn bounds(&self, solid: &Deformed<impl LevelSet>) -> Option<[Vector3<f64>; 2]> {
-        let nothing = Vector3::from_element(f64::INFINITY);
-        self.root.bounds(solid, [nothing, -nothing])
+        self.root.hull(solid)?.bounds()
     }
 
     /// The stretches of a ray that may cross the surface, in ascending order and apart from each
@@ -115,43 +126,29 @@ impl Cell {
         range: [f64; 2],
         found: &mut Vec<Stretch>,
     ) {
-        let within = |image: &Option<Image>| match image {
-            Some(image) => image.clipped(ray, range),
-            None => Some(range),
-        };
         match self.content(solid) {
             Content::Apart => {}
             Content::Cut(cut) => {
-                let (image, halves) = &**cut;
-                if let Some(range) = within(image) {
+                let (hull, halves) = &**cut;
+                if let Some(range) = hull.clipped(ray, range) {
                     halves.iter().for_each(|half| half.find(solid, ray, range, found));
                 }
             }
             Content::Surface(surface) => {
-                let (image, tangent) = &**surface;
-                let stretch = within(image).and_then(|range| tangent.stretch(ray, range));
-                found.extend(stretch);
+                let (hull, tangent) = &**surface;
+                let range = hull.clipped(ray, range);
+                found.extend(range.and_then(|range| tangent.stretch(ray, range)));
             }
         }
     }
 
-    /// A box, extended by the images of the cell's parts.
-    fn bounds(
-        &self,
-        solid: &Deformed<impl LevelSet>,
-        bounds: [Vector3<f64>; 2],
-    ) -> Option<[Vector3<f64>; 2]> {
-        let image = match self.content(solid) {
-            Content::Apart => return Some(bounds),
-            Content::Cut(cut) if self.halvings.iter().sum::<u32>() < HALVINGS_OF_BOUNDS || cut.0.is_none() => {
-                let [first, second] = &cut.1;
-                return second.bounds(solid, first.bounds(solid, bounds)?);
-            }
-            Content::Cut(cut) => cut.0.as_ref(),
-            Content::Surface(surface) => surface.0.as_ref(),
-        };
-        let [low, high] = image?.bounds();
-        Some([bounds[0].inf(&low), bounds[1].sup(&high)])
+    /// The hull of the surface that the cell may have, if it may have any.
+    fn hull(&self, solid: &Deformed<impl LevelSet>) -> Option<&Hull> {
+        match self.content(solid) {
+            Content::Apart => None,
+            Content::Cut(cut) => Some(&cut.0),
+            Content::Surface(surface) => Some(&surface.0),
+        }
     }
 
     fn judged(&self, solid: &Deformed<impl LevelSet>) -> Content {
@@ -167,10 +164,14 @@ impl Cell {
             return Content::Apart;
         }
         let errors = tangent.errors().unwrap_or_else(|| self.shares());
-        match self.side_to_cut(&errors, FLATNESS * tangent.change()) {
-            Some(across) => Content::Cut(Box::new((image, self.halves(across)))),
-            None => Content::Surface(Box::new((image, tangent))),
-        }
+        let own = image.map_or(Hull::Unknown, Hull::Image);
+        let Some(across) = self.side_to_cut(&errors, FLATNESS * tangent.change()) else {
+            return Content::Surface(Box::new((own, tangent)));
+        };
+        let halves = self.halves(across);
+        let is_large = self.halvings.iter().sum::<u32>() < HALVINGS_OF_BOXES;
+        let hull = if is_large { Hull::around(&halves, solid) } else { own };
+        Content::Cut(Box::new((hull, halves)))
     }
 
     /// The side that most of the error is due to, of those that may still be cut; none, if their
@@ -195,5 +196,34 @@ impl Cell {
             halvings[across] += 1;
             Self::new(sides, halvings)
         })
+    }
+}
+
+impl Hull {
+    /// The box around the hulls of some cells.
+    fn around(cells: &[Cell; 2], solid: &Deformed<impl LevelSet>) -> Self {
+        let nothing = Vector3::from_element(f64::INFINITY);
+        let hulls = cells.iter().filter_map(|cell| cell.hull(solid));
+        let bounds = hulls.map(Self::bounds).try_fold([nothing, -nothing], |[min, max], next| {
+            next.map(|[low, high]| [min.inf(&low), max.sup(&high)])
+        });
+        bounds.map_or(Self::Unknown, Self::Box)
+    }
+
+    fn bounds(&self) -> Option<[Vector3<f64>; 2]> {
+        match self {
+            Self::Unknown => None,
+            Self::Box(bounds) => Some(*bounds),
+            Self::Image(image) => Some(image.bounds()),
+        }
+    }
+
+    /// What of a ray's range lies in it.
+    fn clipped(&self, ray: &Ray, range: [f64; 2]) -> Option<[f64; 2]> {
+        match self {
+            Self::Unknown => Some(range),
+            Self::Box(bounds) => ray.clipped_within(bounds, range),
+            Self::Image(image) => image.clipped(ray, range),
+        }
     }
 }

@@ -35,10 +35,17 @@ impl Ray {
     }
 
     /// The range of t within a box `[min, max]`, if the ray meets it.
-    pub(super) fn clipped(&self, [min, max]: &[Vector3<f64>; 2]) -> Option<[f64; 2]> {
-        let mut range = [0.0, f64::INFINITY];
+    pub(super) fn clipped(&self, bounds: &[Vector3<f64>; 2]) -> Option<[f64; 2]> {
+        self.clipped_within(bounds, [0.0, f64::INFINITY]).filter(|range| range[1].is_finite())
+    }
+
+    /// What of a range of t is within a box `[min, max]`.
+    pub(super) fn clipped_within(
+        &self,
+        [min, max]: &[Vector3<f64>; 2],
+        mut range: [f64; 2],
+    ) -> Option<[f64; 2]> {
         for i in 0..3 {
-            let ends = [min[i], max[i]].map(|end| (end - self.origin[i]) / self.direction[i]);
             let is_parallel = self.direction[i] == 0.0;
             if is_parallel {
                 if self.origin[i] < min[i] || self.origin[i] > max[i] {
@@ -46,8 +53,10 @@ impl Ray {
                 }
                 continue;
             }
+            let inverse = self.direction[i].recip();
+            let ends = [min[i], max[i]].map(|end| (end - self.origin[i]) * inverse);
             range = [range[0].max(ends[0].min(ends[1])), range[1].min(ends[0].max(ends[1]))];
         }
-        (range[0] <= range[1] && range[1].is_finite()).then_some(range)
+        (range[0] <= range[1]).then_some(range)
     }
 }

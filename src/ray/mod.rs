@@ -15,7 +15,7 @@ mod target;
 mod walk;
 
 pub use half_line::Ray;
-pub use render::{Rays, Rendering, render};
+pub use render::{Rays, Rendering, first_hit, render};
 pub use scene::{Item, Lighting, Scene, camera_looking_at};
 pub use shading::{Light, Material, Shading, Source};
 pub use solid_target::SolidTarget;
