@@ -4,6 +4,7 @@ mod domain;
 mod extent;
 mod mass;
 mod region;
+mod sample;
 
 use nalgebra::Vector3;
 

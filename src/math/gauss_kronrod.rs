@@ -43,9 +43,9 @@ const MOST_PIECES: usize = 10_000;
 pub struct VectorIntegral<const N: usize = 3> {
     /// The integral.
     pub value: SVector<f64, N>,
-    /// What the two rules differ by on every piece, or a piece from its two halves, added up: far
-    /// above the true error where the function is smooth. Not a number where the function has a
-    /// pole.
+    /// QUADPACK's estimate by what the two rules differ by on every piece, or what a piece differs
+    /// by from its two halves, added up: above the true error where the function is smooth. Not a
+    /// number where the function has a pole.
     pub error: f64,
 }
 
@@ -85,6 +85,7 @@ impl<const N: usize> Piece<N> {
     fn new(function: &impl Fn(f64) -> SVector<f64, N>, from: f64, to: f64) -> Self {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
         let (mut kronrod, mut gauss) = (SVector::zeros(), SVector::zeros());
+        let mut values = [(0.0, SVector::zeros()); 2 * NODES.len() - 1];
         for (i, (node, weight)) in NODES.into_iter().zip(KRONROD).enumerate() {
             let ends = [function(middle - half * node), function(middle + half * node)];
             let sum = if node == 0.0 { ends[0] } else { ends[0] + ends[1] };
@@ -92,8 +93,13 @@ impl<const N: usize> Piece<N> {
             if i % 2 == 1 {
                 gauss += GAUSS[i / 2] * sum;
             }
+            values[i] = (weight, ends[0]);
+            values[2 * NODES.len() - 2 - i] = (weight, ends[1]);
         }
-        Self { from, to, value: half * kronrod, error: (half * (kronrod - gauss)).norm() }
+        let mean = 0.5 * kronrod;
+        let spread: f64 = values.iter().map(|(weight, value)| weight * (value - mean).norm()).sum();
+        let error = scaled_error((half * (kronrod - gauss)).norm(), half.abs() * spread);
+        Self { from, to, value: half * kronrod, error }
     }
 
     /// Both halves. Next to a jump the rules may agree by chance: the error is then taken from
@@ -105,6 +111,14 @@ impl<const N: usize> Piece<N> {
         let change = 0.5 * (first.value + second.value - self.value).norm();
         [first, second].map(|half| Self { error: half.error.max(change), ..half })
     }
+}
+
+/// QUADPACK's estimate of the error of Kronrod's rule, by what the two rules differ by: of an
+/// integrand that deviates little from the one they agree on, far less than that.
+fn scaled_error(difference: f64, spread: f64) -> f64 {
+    // Written so that a difference that is not a number stays one.
+    let is_small = 200.0 * difference < spread;
+    if is_small { difference * (200.0 * difference / spread).sqrt() } else { difference }
 }
 
 #[cfg(test)]

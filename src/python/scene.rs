@@ -110,7 +110,8 @@ impl PyScene {
     ) -> PyResult<Bound<'py, PyDict>> {
         let mut scene = self.scene.clone();
         let camera = camera.map(|camera| AnyCamera::Pinhole(camera.0)).or(scene.camera);
-        let camera = camera.ok_or_else(|| ModelError::new_err("the scene has no camera: give one"))?;
+        let camera =
+            camera.ok_or_else(|| ModelError::new_err("the scene has no camera: give one"))?;
         if let Some(motion) = camera_from_world {
             scene.camera_from_world = motion_of(motion)?;
         }

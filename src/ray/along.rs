@@ -66,7 +66,11 @@ impl<S: LevelSet> Along<'_, S> {
                 break;
             }
             let is_inside = value < 1.0;
-            if is_inside == starts_inside { low = t } else { high = t }
+            if is_inside == starts_inside {
+                low = t
+            } else {
+                high = t
+            }
             let newton = t - (value - 1.0) / slope;
             let is_within = low < newton && newton < high;
             let next = if is_within { newton } else { 0.5 * (low + high) };

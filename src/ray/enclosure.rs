@@ -21,10 +21,7 @@ const ROUNDING_OF_T: f64 = 8.0 * f64::EPSILON;
 pub(super) type Columns = [[Interval; 3]; 3];
 
 /// The slopes of a map over a box.
-pub(super) fn slopes_of(
-    sides: [Interval; 3],
-    map: impl Fn([Dual; 3]) -> [Dual; 3],
-) -> Columns {
+pub(super) fn slopes_of(sides: [Interval; 3], map: impl Fn([Dual; 3]) -> [Dual; 3]) -> Columns {
     [0, 1, 2].map(|axis| map(Dual::along(axis, sides)).map(|component| component.slope))
 }
 

@@ -38,9 +38,8 @@ impl<'a, S: LevelSet> Crossings<'a, S> {
     fn crossing(&self, range: Interval) -> Option<f64> {
         let [starts_inside, ends_inside] =
             [range.lo(), range.hi()].map(|end| self.along.is_inside(end));
-        (starts_inside != ends_inside).then(|| {
-            self.along.crossing([range.lo(), range.hi()], starts_inside, range.middle())
-        })
+        (starts_inside != ends_inside)
+            .then(|| self.along.crossing([range.lo(), range.hi()], starts_inside, range.middle()))
     }
 }
 

@@ -83,8 +83,7 @@ pub(super) fn widened([min, max]: [Vector3<f64>; 2]) -> [Vector3<f64>; 2] {
 /// The outward unit normal at a point of the surface: the gradient of the level. On an edge one
 /// between those of its sides.
 pub(crate) fn outward_normal(solid: &impl LevelSet, x: &Vector3<f64>) -> Vector3<f64> {
-    let gradient =
-        Vector3::from_fn(|axis, _| solid.level(Dual::along(axis, (*x).into())).slope);
+    let gradient = Vector3::from_fn(|axis, _| solid.level(Dual::along(axis, (*x).into())).slope);
     // Slopes without bound, at edges of exponents above 2, count as far as numbers go.
     let bounded = gradient.map(|part| if part.is_nan() { 0.0 } else { part.clamp(-1e150, 1e150) });
     bounded.try_normalize(0.0).unwrap_or_else(Vector3::z)

@@ -52,10 +52,7 @@ impl<'a> Patch<'a> {
 impl SurfaceElement {
     /// The element mirrored at the planes of symmetry across which a sign is negative.
     fn mirrored(self, signs: &Vector3<f64>) -> Self {
-        Self {
-            position: self.position.component_mul(signs),
-            area: self.area.component_mul(signs),
-        }
+        Self { position: self.position.component_mul(signs), area: self.area.component_mul(signs) }
     }
 }
 

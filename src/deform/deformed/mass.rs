@@ -6,12 +6,16 @@ use nalgebra::{Matrix3, SVector, Vector3};
 use rayon::prelude::*;
 
 use super::Deformed;
+use crate::deform::crease::Creases;
 use crate::deform::map::Deform;
-use crate::math::{VectorIntegral, integrate};
+use crate::math::{VectorIntegral, increasing_root, integrate};
 use crate::shape::{MassProperties, Patch, Patched};
 
 /// Pieces that each parameter's range is cut into to begin with.
 const PIECES: usize = 4;
+
+/// Places along a line between which creases are looked for.
+const PROBES: usize = 24;
 
 /// Share of the tolerance that is left to integrals along one parameter.
 const INNER_SHARE: f64 = 0.1;
@@ -35,8 +39,8 @@ pub struct MassEstimate {
 
 impl<S: Patched> Deformed<S> {
     /// The masses, to a relative tolerance, 1e-6 say: by Gauss's and Kronrod's rules along both
-    /// parameters of the surface, whose pieces are halved where they differ. Where a bend ends or
-    /// a polyline has a knot the pieces become as short as it takes.
+    /// parameters of the surface, whose pieces are halved where they differ. Along each line they
+    /// end where a bend ends or a profile has a knot.
     ///
     /// By the divergence theorem, with the vector area elements carried along by the normal
     /// transform: `V = 1/3 int X . N dA`, and likewise for `x_i` and `x_i x_j`.
@@ -69,15 +73,22 @@ impl<S: Patched> Deformed<S> {
     ) -> VectorIntegral<11> {
         let [range, inner_range] = patch.ranges();
         let length = range[1] - range[0];
+        let creases = Creases::of(&self.chain);
+        let offsets = &|s: f64, t: f64| creases.offsets(&patch.element(s, t).position);
         let worst = Cell::new(0.0_f64);
         let strip = |s: f64| {
-            let integrand =
-                |t: f64| self.integrands(patch, origin, s, t).component_div(units);
-            let strip = in_pieces(integrand, inner_range, INNER_SHARE * tolerance / length);
+            let integrand = |t: f64| self.integrands(patch, origin, s, t).component_div(units);
+            let ends = with_even_ends(inner_range, roots(inner_range, |t| offsets(s, t)));
+            let strip = in_pieces(integrand, &ends, INNER_SHARE * tolerance / length);
             worst.set(worst.get().max(strip.error));
             strip.value
         };
-        let whole = in_pieces(strip, range, (1.0 - INNER_SHARE) * tolerance);
+        // A crease that runs along the strips makes their integral jump.
+        let [first, last] = inner_range;
+        let lines = [first, 0.5 * (first + last), last];
+        let along = lines.into_iter().flat_map(|t| roots(range, move |s| offsets(s, t)));
+        let whole =
+            in_pieces(strip, &with_even_ends(range, along), (1.0 - INNER_SHARE) * tolerance);
         VectorIntegral { error: whole.error + length * worst.get(), ..whole }
     }
 
@@ -93,15 +104,48 @@ impl<S: Patched> Deformed<S> {
     }
 }
 
-/// The integral over a range, cut into pieces to begin with.
+/// Where offsets change their signs in a range, as far as probes tell.
+fn roots(range: [f64; 2], offsets: impl Fn(f64) -> Vec<f64>) -> Vec<f64> {
+    let mut roots = Vec::new();
+    let mut last = offsets(range[0]);
+    if last.is_empty() {
+        return roots;
+    }
+    for i in 1..=PROBES {
+        let bracket = [place(range, i - 1, PROBES), place(range, i, PROBES)];
+        let next = offsets(bracket[1]);
+        for (crease, (before, after)) in last.iter().zip(&next).enumerate() {
+            if (*before < 0.0) != (*after < 0.0) {
+                let sign = if *after < 0.0 { -1.0 } else { 1.0 };
+                roots.push(increasing_root(|t| sign * offsets(t)[crease], bracket));
+            }
+        }
+        last = next;
+    }
+    roots
+}
+
+/// The ends of a range's pieces, ascending: even ones, and others.
+fn with_even_ends(range: [f64; 2], others: impl IntoIterator<Item = f64>) -> Vec<f64> {
+    let even = (0..=PIECES).map(|i| place(range, i, PIECES));
+    let mut ends: Vec<f64> = even.chain(others).collect();
+    ends.sort_by(f64::total_cmp);
+    ends
+}
+
+/// The end of so many of the equal parts of a range.
+fn place([from, to]: [f64; 2], number: usize, parts: usize) -> f64 {
+    from + (to - from) * (number as f64 / parts as f64)
+}
+
+/// The integral over pieces between ascending ends.
 fn in_pieces(
     function: impl Fn(f64) -> Integrals,
-    [from, to]: [f64; 2],
+    ends: &[f64],
     tolerance: f64,
 ) -> VectorIntegral<11> {
-    let end = |i: usize| from + (to - from) * (i as f64 / PIECES as f64);
-    let pieces = (0..PIECES)
-        .map(|i| integrate(&function, [end(i), end(i + 1)], tolerance / PIECES as f64));
+    let share = tolerance / ends.len() as f64;
+    let pieces = ends.windows(2).map(|ends| integrate(&function, [ends[0], ends[1]], share));
     let nothing = VectorIntegral { value: Integrals::zeros(), error: 0.0 };
     pieces.fold(nothing, |sum, piece| VectorIntegral {
         value: sum.value + piece.value,

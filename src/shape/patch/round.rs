@@ -46,9 +46,8 @@ impl Patched for Supertoroid {
                 let (tube, around) = (arc_node(e1, s), arc_node(e2, t));
                 tube_element(&size, [ring, outwards], &tube, &around)
             };
-            octants().map(move |signs| {
-                Patch::new(ranges, move |s, t| element(s, t).mirrored(&signs))
-            })
+            octants()
+                .map(move |signs| Patch::new(ranges, move |s, t| element(s, t).mirrored(&signs)))
         };
         half(1.0).chain(half(-1.0)).collect()
     }
@@ -81,9 +80,8 @@ impl Patched for ThreeExponent {
     fn patches(&self) -> Vec<Patch<'_>> {
         let e = 2.0 * self.least_order();
         let element = move |s: f64, t: f64| self.element(&arc_node(e, s), &arc_node(e, t));
-        let octant = |signs| {
-            Patch::new([arc_range(e); 2], move |s, t| element(s, t).mirrored(&signs))
-        };
+        let octant =
+            |signs| Patch::new([arc_range(e); 2], move |s, t| element(s, t).mirrored(&signs));
         octants().map(octant).collect()
     }
 }

@@ -29,9 +29,8 @@ impl SuperhyperboloidTwoSheets {
 
     /// The integral over both caps of a function of `v >= 0` and `w >= 0`.
     fn over_caps(&self, f: impl Fn(f64, f64) -> f64) -> f64 {
-        let strip = |w: f64| {
-            integral_in_pieces(|v| f(v, w), [0.0, self.greatest_v(w)], &[self.waist(w)])
-        };
+        let strip =
+            |w: f64| integral_in_pieces(|v| f(v, w), [0.0, self.greatest_v(w)], &[self.waist(w)]);
         8.0 * integral_in_pieces(strip, [0.0, self.greatest_w()], &self.cuts_of_w())
     }
 }
