@@ -163,9 +163,12 @@ impl Cell {
         if tangent.is_apart() {
             return Content::Apart;
         }
-        let errors = tangent.errors().unwrap_or_else(|| self.shares());
         let own = image.map_or(Hull::Unknown, Hull::Image);
-        let Some(across) = self.side_to_cut(&errors, FLATNESS * tangent.change()) else {
+        let across = match tangent.errors() {
+            Some(errors) => self.side_to_cut(&errors, FLATNESS * tangent.change()),
+            None => self.side_to_cut(&self.shares(), 0.0),
+        };
+        let Some(across) = across else {
             return Content::Surface(Box::new((own, tangent)));
         };
         let halves = self.halves(across);
@@ -183,9 +186,9 @@ impl Cell {
         (sum > tolerated).then_some(worst)
     }
 
-    /// The sides as shares of the whole ones, times what is beyond all errors.
+    /// The sides as shares of the whole ones.
     fn shares(&self) -> [f64; 3] {
-        self.halvings.map(|halvings| f64::MAX / 4.0 / f64::from(1 << halvings))
+        self.halvings.map(|halvings| f64::from(1 << halvings).recip())
     }
 
     /// The halves across a side.

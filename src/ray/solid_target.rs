@@ -18,6 +18,8 @@ pub struct SolidTarget<S = Shape> {
     /// The numbers of the parts, made a solid.
     tree: Tree<usize>,
     parts: Vec<Part<S>>,
+    /// The box around all parts, in the world.
+    bounds: [Vector3<f64>; 2],
 }
 
 /// A primitive, with its box and cells in its own frame.
@@ -36,7 +38,11 @@ impl<S: Solid + LevelSet + Clone> SolidTarget<S> {
             parts.push(Part::new(primitive.clone()));
             parts.len() - 1
         });
-        Self { tree, parts }
+        let nothing = Vector3::from_element(f64::INFINITY);
+        let bounds = parts.iter().map(Part::bounds_world);
+        let bounds = bounds
+            .fold([nothing, -nothing], |[min, max], [low, high]| [min.inf(&low), max.sup(&high)]);
+        Self { tree, parts, bounds: widened(bounds) }
     }
 }
 
@@ -47,14 +53,30 @@ impl<S: Solid + LevelSet> Part<S> {
         let bounds = widened(bounds.unwrap_or_else(|| primitive.deformed.bounding_box()));
         Self { primitive, bounds, cage }
     }
+
+    /// The box along the world's axes around the part's own.
+    fn bounds_world(&self) -> [Vector3<f64>; 2] {
+        let [min, max] = self.bounds;
+        let middle = self.primitive.pose.world_from_model(&(0.5 * (min + max)));
+        let half = self.primitive.pose.rotation().matrix().abs() * (0.5 * (max - min));
+        [middle - half, middle + half]
+    }
 }
 
 impl<S: Solid + LevelSet> Hittable for SolidTarget<S> {
     fn first_hit(&self, ray: &Ray) -> Option<Hit> {
-        Passage::of(&self.tree, &self.parts, ray)?.next()
+        self.passage(ray)?.next()
     }
 
     fn all_hits(&self, ray: &Ray) -> Vec<Hit> {
-        Passage::of(&self.tree, &self.parts, ray).into_iter().flatten().collect()
+        self.passage(ray).into_iter().flatten().collect()
+    }
+}
+
+impl<S: Solid + LevelSet> SolidTarget<S> {
+    /// A ray's passage, if it may come into the solid at all.
+    fn passage(&self, ray: &Ray) -> Option<Passage<'_, S>> {
+        ray.clipped(&self.bounds)?;
+        Passage::of(&self.tree, &self.parts, ray)
     }
 }

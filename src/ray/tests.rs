@@ -167,6 +167,19 @@ fn boxes_and_cells_change_no_hit() {
 }
 
 #[test]
+fn cells_tell_enough_of_pinched_shapes_whose_slopes_have_no_bound() {
+    let star = solid(Superellipsoid::new([1.0, 1.4, 0.8], [2.4, 2.2]).unwrap(), []);
+    let [whole, boxed] = targets(&star);
+    let mut hits = 0;
+    for ray in rays(&star).iter().take(300) {
+        let [expected, found] = [whole.all_hits(ray), boxed.all_hits(ray)];
+        assert_eq!(expected.len(), found.len(), "{ray:?}");
+        hits += found.len();
+    }
+    assert!(hits > 20, "{hits}");
+}
+
+#[test]
 fn hits_of_a_ball_are_the_quadratics() {
     let solid = solid(Superellipsoid::new([2.0; 3], [1.0; 2]).unwrap(), []);
     let center = Vector3::new(0.2, -0.1, 0.3);
