@@ -20,7 +20,7 @@ ROOT = Path(__file__).resolve().parent.parent
 VARIABLE = "SUPERQUADRIC_BINARY"
 PROGRAM = Path(os.environ.get(VARIABLE, ROOT / "target/release/superquadric")).resolve()
 SCENES = ["moebius_band", "chair", "booleans"]
-SCALE = 1
+SCALE = 2
 """Times as many columns and rows as the samples have."""
 RESOLUTION = 128
 """Segments of the meshes along a lattice's edge."""

@@ -39,7 +39,7 @@ fn text(primitive: &Primitive<Shape>, as_json: bool) -> Result<String, DocumentE
     Ok(match (primitive.undeformed(), as_json) {
         (Some(model), false) => model_table(&model),
         (Some(model), true) => InfoDocument::new(&model).to_json(),
-        (None, false) => primitive_table(primitive)?,
+        (None, false) => primitive_table(primitive),
         (None, true) => PrimitiveInfoDocument::new(primitive)?.to_json(),
     })
 }

@@ -11,7 +11,7 @@ use super::chain::Chain;
 use super::error::DeformError;
 use super::map::Deform;
 use crate::math::Scalar;
-use crate::shape::{LevelSet, Parametric, Shape, Solid, Superellipsoid};
+use crate::shape::{LevelSet, Parametric, Solid, Superellipsoid};
 
 pub use mass::MassEstimate;
 
@@ -89,16 +89,6 @@ impl<S: Parametric> Deformed<S> {
     /// The outward unit normal there, by the normal transform (B84 appendix A).
     pub fn normal(&self, eta: f64, omega: f64) -> Vector3<f64> {
         self.deformed_normal(&self.shape.position(eta, omega), &self.shape.normal(eta, omega))
-    }
-}
-
-impl Deformed<Shape> {
-    /// The same, if the shape is a superellipsoid.
-    pub fn superellipsoid(&self) -> Option<Deformed> {
-        match self.shape {
-            Shape::Superellipsoid(shape) => Some(Deformed { shape, chain: self.chain.clone() }),
-            _ => None,
-        }
     }
 }
 

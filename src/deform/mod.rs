@@ -7,6 +7,7 @@
 
 mod bend;
 mod chain;
+mod crease;
 mod deformation;
 mod deformed;
 mod error;

@@ -37,6 +37,18 @@ impl Profile {
     }
 }
 
+impl Profile {
+    /// The positions at which the function or one of its derivatives jumps, if its form is known.
+    pub(super) fn creases(&self) -> Vec<f64> {
+        let knots = match self {
+            Self::Line(_) | Self::Function(_) => &[],
+            Self::Polyline(polyline) => polyline.knots(),
+            Self::Spline(spline) => spline.knots(),
+        };
+        knots.iter().map(|[z, _]| *z).collect()
+    }
+}
+
 /// Functions of no known form are equal if they are the same object.
 impl PartialEq for Profile {
     fn eq(&self, other: &Self) -> bool {

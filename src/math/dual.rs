@@ -1,28 +1,38 @@
 //! Numbers that carry their derivative along.
 
+use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
-use super::{Interval, Scalar, Univariate};
+use super::{Interval, Scalar, Sloped, Univariate};
 
-/// A function of one variable over a range of it: enclosures of its values and of its slopes.
+/// A function of one variable, at a place or over a range of them: its value and its slope, or
+/// enclosures of both.
 ///
-/// Where the function has a kink, its slopes on both sides and all between are held.
+/// Where the function has a kink, an enclosure holds its slopes on both sides and all between;
+/// a number is one of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Dual {
+pub struct Dual<N = Interval> {
     /// The values.
-    pub value: Interval,
+    pub value: N,
     /// The slopes.
-    pub slope: Interval,
+    pub slope: N,
 }
 
-impl Dual {
-    /// The variable itself, over a range.
-    pub fn variable(range: Interval) -> Self {
-        Self { value: range, slope: Interval::point(1.0) }
+impl<N: Scalar> Dual<N> {
+    /// The variable itself, at a place or over a range.
+    pub fn variable(value: N) -> Self {
+        Self { value, slope: N::constant(1.0) }
+    }
+
+    /// A function along one of the axes of space: the coordinates of a point or box as they vary
+    /// along the axis.
+    pub fn along(axis: usize, x: [N; 3]) -> [Self; 3] {
+        let slope = |i: usize| if i == axis { 1.0 } else { 0.0 };
+        std::array::from_fn(|i| Self { value: x[i], slope: N::constant(slope(i)) })
     }
 }
 
-impl Add for Dual {
+impl<N: Scalar> Add for Dual<N> {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
@@ -30,7 +40,7 @@ impl Add for Dual {
     }
 }
 
-impl Sub for Dual {
+impl<N: Scalar> Sub for Dual<N> {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
@@ -38,7 +48,7 @@ impl Sub for Dual {
     }
 }
 
-impl Mul for Dual {
+impl<N: Scalar> Mul for Dual<N> {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
@@ -49,7 +59,7 @@ impl Mul for Dual {
     }
 }
 
-impl Neg for Dual {
+impl<N: Scalar> Neg for Dual<N> {
     type Output = Self;
 
     fn neg(self) -> Self {
@@ -57,7 +67,7 @@ impl Neg for Dual {
     }
 }
 
-impl Add<f64> for Dual {
+impl<N: Scalar> Add<f64> for Dual<N> {
     type Output = Self;
 
     fn add(self, other: f64) -> Self {
@@ -65,7 +75,7 @@ impl Add<f64> for Dual {
     }
 }
 
-impl Mul<f64> for Dual {
+impl<N: Scalar> Mul<f64> for Dual<N> {
     type Output = Self;
 
     fn mul(self, factor: f64) -> Self {
@@ -73,9 +83,9 @@ impl Mul<f64> for Dual {
     }
 }
 
-impl Scalar for Dual {
+impl<N: Sloped> Scalar for Dual<N> {
     fn constant(value: f64) -> Self {
-        Self { value: Interval::point(value), slope: Interval::ZERO }
+        Self { value: N::constant(value), slope: N::constant(0.0) }
     }
 
     fn recip(self) -> Self {
@@ -98,12 +108,10 @@ impl Scalar for Dual {
     }
 
     fn max(self, other: Self) -> Self {
-        let slope = if self.value.lo() > other.value.hi() {
-            self.slope
-        } else if other.value.lo() > self.value.hi() {
-            other.slope
-        } else {
-            self.slope.hull(other.slope)
+        let slope = match self.value.order(other.value) {
+            Some(Ordering::Greater) => self.slope,
+            Some(Ordering::Less) => other.slope,
+            _ => self.slope.between(other.slope),
         };
         Self { value: self.value.max(other.value), slope }
     }
@@ -114,7 +122,7 @@ impl Scalar for Dual {
     }
 
     fn sin_cos(self) -> (Self, Self) {
-        let (sin, cos) = (self.value.sin(), self.value.cos());
+        let (sin, cos) = self.value.sin_cos();
         (
             Self { value: sin, slope: self.slope * cos },
             Self { value: cos, slope: -(self.slope * sin) },
@@ -129,16 +137,16 @@ impl Scalar for Dual {
 
     fn through(self, function: &dyn Univariate) -> Self {
         Self {
-            value: function.value_range(self.value),
-            slope: self.slope * function.slope_range(self.value),
+            value: self.value.through(function),
+            slope: self.slope * self.value.slope_through(function),
         }
     }
 
     fn superellipse_norm(u: Self, v: Self, e: f64) -> Self {
         Self {
-            value: Interval::superellipse_norm(u.value, v.value, e),
-            slope: u.slope * Interval::superellipse_norm_slope(u.value, v.value, e)
-                + v.slope * Interval::superellipse_norm_slope(v.value, u.value, e),
+            value: N::superellipse_norm(u.value, v.value, e),
+            slope: u.slope * N::superellipse_norm_slope(u.value, v.value, e)
+                + v.slope * N::superellipse_norm_slope(v.value, u.value, e),
         }
     }
 }
@@ -181,6 +189,17 @@ mod tests {
                         assert!(slope.contains(quotient), "{case} {range:?} {quotient} {slope:?}");
                     }
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn slopes_at_a_place_are_within_those_of_the_place_as_an_interval() {
+        for t in [-1.0, -0.5, -0.1, 0.0, 0.05, 0.35, 0.9] {
+            let enclosures = curves(Dual::variable(Interval::point(t)));
+            for (found, enclosure) in curves(Dual::variable(t)).into_iter().zip(enclosures) {
+                assert!(enclosure.value.widened(1e-14).contains(found.value), "{t}");
+                assert!(enclosure.slope.widened(1e-13).contains(found.slope), "{t}");
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Adaptive quadrature of vectors along a line.
 
-use nalgebra::Vector3;
+use nalgebra::SVector;
 
 /// Nodes of Kronrod's rule of 15 points on [0, 1) of [-1, 1], from the outermost to the middle
 /// (QUADPACK's QK15).
@@ -40,23 +40,23 @@ const MOST_PIECES: usize = 10_000;
 
 /// An integral, and a bound on its error.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct VectorIntegral {
+pub struct VectorIntegral<const N: usize = 3> {
     /// The integral.
-    pub value: Vector3<f64>,
-    /// What the two rules differ by on every piece, or a piece from its two halves, added up: far
-    /// above the true error where the function is smooth. Not a number where the function has a
-    /// pole.
+    pub value: SVector<f64, N>,
+    /// QUADPACK's estimate by what the two rules differ by on every piece, or what a piece differs
+    /// by from its two halves, added up: above the true error where the function is smooth. Not a
+    /// number where the function has a pole.
     pub error: f64,
 }
 
 /// The integral of a vector over `[from, to]`, by Gauss's and Kronrod's rules on pieces that are
 /// halved, the worst first, until their differences add up to no more than `tolerance`, or as
 /// many as 10,000 have been.
-pub fn integrate(
-    function: impl Fn(f64) -> Vector3<f64>,
+pub fn integrate<const N: usize>(
+    function: impl Fn(f64) -> SVector<f64, N>,
     [from, to]: [f64; 2],
     tolerance: f64,
-) -> VectorIntegral {
+) -> VectorIntegral<N> {
     let mut pieces = vec![Piece::new(&function, from, to)];
     loop {
         let error: f64 = pieces.iter().map(|piece| piece.error).sum();
@@ -74,17 +74,18 @@ pub fn integrate(
 }
 
 /// A part of the line.
-struct Piece {
+struct Piece<const N: usize> {
     from: f64,
     to: f64,
-    value: Vector3<f64>,
+    value: SVector<f64, N>,
     error: f64,
 }
 
-impl Piece {
-    fn new(function: &impl Fn(f64) -> Vector3<f64>, from: f64, to: f64) -> Self {
+impl<const N: usize> Piece<N> {
+    fn new(function: &impl Fn(f64) -> SVector<f64, N>, from: f64, to: f64) -> Self {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-        let (mut kronrod, mut gauss) = (Vector3::zeros(), Vector3::zeros());
+        let (mut kronrod, mut gauss) = (SVector::zeros(), SVector::zeros());
+        let mut values = [(0.0, SVector::zeros()); 2 * NODES.len() - 1];
         for (i, (node, weight)) in NODES.into_iter().zip(KRONROD).enumerate() {
             let ends = [function(middle - half * node), function(middle + half * node)];
             let sum = if node == 0.0 { ends[0] } else { ends[0] + ends[1] };
@@ -92,13 +93,18 @@ impl Piece {
             if i % 2 == 1 {
                 gauss += GAUSS[i / 2] * sum;
             }
+            values[i] = (weight, ends[0]);
+            values[2 * NODES.len() - 2 - i] = (weight, ends[1]);
         }
-        Self { from, to, value: half * kronrod, error: (half * (kronrod - gauss)).norm() }
+        let mean = 0.5 * kronrod;
+        let spread: f64 = values.iter().map(|(weight, value)| weight * (value - mean).norm()).sum();
+        let error = scaled_error((half * (kronrod - gauss)).norm(), half.abs() * spread);
+        Self { from, to, value: half * kronrod, error }
     }
 
     /// Both halves. Next to a jump the rules may agree by chance: the error is then taken from
     /// what halving has changed.
-    fn halves(&self, function: &impl Fn(f64) -> Vector3<f64>) -> [Self; 2] {
+    fn halves(&self, function: &impl Fn(f64) -> SVector<f64, N>) -> [Self; 2] {
         let middle = 0.5 * (self.from + self.to);
         let [first, second] = [[self.from, middle], [middle, self.to]]
             .map(|[from, to]| Self::new(function, from, to));
@@ -107,9 +113,18 @@ impl Piece {
     }
 }
 
+/// QUADPACK's estimate of the error of Kronrod's rule, by what the two rules differ by: of an
+/// integrand that deviates little from the one they agree on, far less than that.
+fn scaled_error(difference: f64, spread: f64) -> f64 {
+    // Written so that a difference that is not a number stays one.
+    let is_small = 200.0 * difference < spread;
+    if is_small { difference * (200.0 * difference / spread).sqrt() } else { difference }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use nalgebra::Vector3;
 
     #[test]
     fn smooth_kinked_and_singular_functions_to_the_tolerance() {

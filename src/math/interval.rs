@@ -2,6 +2,8 @@
 
 mod elementary;
 
+pub(super) use elementary::norm_slope;
+
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// A closed interval `[lo, hi]` of real numbers; its ends may be infinite.

@@ -12,19 +12,26 @@ const LAST: f64 = 3.3;
 /// The integral of a function over an interval, by the double exponential rule of Takahasi and
 /// Mori (1974): it converges exponentially, though the function may have an infinite slope or an
 /// integrable pole at the ends.
-fn integral(f: impl Fn(f64) -> f64, [from, to]: [f64; 2]) -> f64 {
-    let length = to - from;
+fn integral(f: impl Fn(f64) -> f64, range: [f64; 2]) -> f64 {
     let last = (LAST * f64::from(DENSITY)) as i32;
     let node = |i: i32| {
-        let t = f64::from(i) / f64::from(DENSITY);
-        let u = PI * t.sinh();
-        // The shares of the interval on either side of the node.
-        let [before, after] = [(1.0 + (-u).exp()).recip(), (1.0 + u.exp()).recip()];
-        let x = if u < 0.0 { from + length * before } else { to - length * after };
-        let weight = 2.0 * FRAC_PI_2 * t.cosh() * before * after;
+        let (x, weight) = double_exponential(f64::from(i) / f64::from(DENSITY), range);
         if weight == 0.0 { 0.0 } else { weight * f(x) }
     };
-    length / f64::from(DENSITY) * (-last..=last).map(node).sum::<f64>()
+    (-last..=last).map(node).sum::<f64>() / f64::from(DENSITY)
+}
+
+/// The range of t that the double exponential rule's places are beyond for no more than rounding.
+pub(crate) const DOUBLE_EXPONENTIAL: [f64; 2] = [-LAST, LAST];
+
+/// The place x in an interval of the double exponential rule's variable t, and `dx/dt`.
+pub(crate) fn double_exponential(t: f64, [from, to]: [f64; 2]) -> (f64, f64) {
+    let length = to - from;
+    let u = PI * t.sinh();
+    // The shares of the interval on either side of the place.
+    let [before, after] = [(1.0 + (-u).exp()).recip(), (1.0 + u.exp()).recip()];
+    let x = if u < 0.0 { from + length * before } else { to - length * after };
+    (x, length * 2.0 * FRAC_PI_2 * t.cosh() * before * after)
 }
 
 /// The integral over an interval cut where the function bends sharply; cuts outside are ignored.

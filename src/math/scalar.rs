@@ -6,7 +6,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 use super::{Interval, Univariate, superellipse_norm};
 
 /// Numbers that formulas are written in once: [`f64`], its [`Interval`]s, and
-/// [`Dual`](super::Dual) numbers of intervals.
+/// [`Dual`](super::Dual) numbers of both.
 pub trait Scalar:
     Copy
     + Debug

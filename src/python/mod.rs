@@ -3,7 +3,9 @@
 mod arrays;
 mod batch;
 mod contour;
+mod deformed;
 mod derivatives;
+mod document;
 mod errors;
 mod exchange;
 mod families;
@@ -13,10 +15,12 @@ mod knowledge;
 mod model;
 mod pose;
 mod read;
+mod scene;
 mod score;
 mod shape;
 mod solid;
 mod surface;
+mod tree;
 mod view;
 mod wireframe;
 
@@ -29,6 +33,8 @@ mod core {
     use super::batch::evaluate_suite;
     #[pymodule_export]
     use super::contour::{PyContour, contour, rim};
+    #[pymodule_export]
+    use super::deformed::PyDeformed;
     #[pymodule_export]
     use super::errors::{
         ArrayError, BatchError, CloudError, DocumentError, ExchangeError, FitError, ImageError,
@@ -45,9 +51,13 @@ mod core {
     #[pymodule_export]
     use super::read::read;
     #[pymodule_export]
+    use super::scene::PyScene;
+    #[pymodule_export]
     use super::score::{PyScore, score};
     #[pymodule_export]
     use super::shape::PyShape;
+    #[pymodule_export]
+    use super::tree::PySolid;
     #[pymodule_export]
     use super::view::{PyCamera, PyDepthMap, read_depth};
     #[pymodule_export]

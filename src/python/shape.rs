@@ -7,15 +7,16 @@ use pyo3::prelude::*;
 use pyo3::types::PyType;
 
 use super::arrays::{Array, Doubles, Table, Vector, map_angles, shaped, table, vector};
+use super::deformed::any_to_python;
 use super::derivatives;
-use super::errors::os_error;
+use super::document::{from_python, read_text, to_python as to_dictionary};
 use super::families::to_python;
 use super::model::square;
 use super::surface::{self, Fineness, MeshArrays};
 use crate::model::Model;
 use crate::output::write_whole;
 use crate::pose::Pose;
-use crate::report::{ModelDocument, any_model_from_json};
+use crate::report::{ModelDocument, primitive_from_json};
 use crate::shape::{Parametric, Shape, Solid};
 
 /// A solid of a family besides the superellipsoids, in general position: what its kinds
@@ -250,22 +251,21 @@ impl PyShape {
         ModelDocument::from(&self.0).to_json()
     }
 
-    /// The model of any family in a JSON text, as an object of its kind.
+    /// The model of any family in a JSON text, as an object of its kind: deformed or not.
     #[classmethod]
     fn from_json(cls: &Bound<'_, PyType>, text: &str) -> PyResult<Py<PyAny>> {
-        to_python(cls.py(), any_model_from_json(text)?)
+        any_to_python(cls.py(), primitive_from_json(text)?)
     }
 
     /// The model as a dictionary, `{"shape": .., "pose": ..}`.
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        py.import("json")?.call_method1("loads", (self.to_json(),))
+        to_dictionary(py, &self.to_json())
     }
 
-    /// The model of any family in a dictionary, as an object of its kind.
+    /// The model of any family in a dictionary, as an object of its kind: deformed or not.
     #[classmethod]
     fn from_dict(cls: &Bound<'_, PyType>, document: &Bound<'_, PyAny>) -> PyResult<Py<PyAny>> {
-        let json = cls.py().import("json")?.call_method1("dumps", (document,))?;
-        to_python(cls.py(), any_model_from_json(json.extract()?)?)
+        any_to_python(cls.py(), primitive_from_json(&from_python(document)?)?)
     }
 
     /// Write the model as JSON, whole or not at all.
@@ -274,13 +274,10 @@ impl PyShape {
         Ok(write_whole(path, |writer| writer.write_all(json.as_bytes()))?)
     }
 
-    /// The model of any family in a JSON file, as an object of its kind.
+    /// The model of any family in a JSON file, as an object of its kind: deformed or not.
     #[classmethod]
     fn load(cls: &Bound<'_, PyType>, path: PathBuf) -> PyResult<Py<PyAny>> {
-        let bytes = std::fs::read(&path).map_err(|error| {
-            os_error(error.kind(), format!("cannot read {}: {error}", path.display()))
-        })?;
-        to_python(cls.py(), any_model_from_json(&String::from_utf8_lossy(&bytes))?)
+        any_to_python(cls.py(), primitive_from_json(&read_text(&path)?)?)
     }
 
     fn __repr__(&self) -> String {

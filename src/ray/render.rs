@@ -3,8 +3,8 @@
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use super::hits::Ray;
-use super::target::Hittable;
+use super::half_line::Ray;
+use super::target::{Hit, Hittable};
 use crate::view::{Camera, OrthographicCamera};
 
 /// A camera as its pixels' rays, in its own frame: x to the right, y down, z forward.
@@ -88,10 +88,16 @@ struct Pixel {
 
 fn pixel(targets: &[impl Hittable], camera: &impl Rays, [column, row]: [u32; 2]) -> Pixel {
     let ray = camera.ray(f64::from(column), f64::from(row));
-    let hits = targets.iter().enumerate().filter_map(|(solid, target)| {
-        let hit = target.first_hit(ray.as_ref()?)?;
-        Some(Pixel { depth: hit.position.z, normal: hit.normal, solid })
-    });
-    let nearest = hits.reduce(|a, b| if b.depth < a.depth { b } else { a });
-    nearest.unwrap_or(Pixel { depth: 0.0, normal: Vector3::zeros(), solid: 0 })
+    match ray.and_then(|ray| first_hit(targets, &ray)) {
+        Some((hit, solid)) => Pixel { depth: hit.position.z, normal: hit.normal, solid },
+        None => Pixel { depth: 0.0, normal: Vector3::zeros(), solid: 0 },
+    }
+}
+
+/// The first hit of a ray with any of some solids, and the solid's place among them: of those hit
+/// at once the first.
+pub fn first_hit(targets: &[impl Hittable], ray: &Ray) -> Option<(Hit, usize)> {
+    let hits = targets.iter().enumerate();
+    let hits = hits.filter_map(|(solid, target)| Some((target.first_hit(ray)?, solid)));
+    hits.reduce(|a, b| if b.0.t < a.0.t { b } else { a })
 }

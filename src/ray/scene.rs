@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 use rayon::prelude::*;
 
-use super::hits::Ray;
+use super::half_line::Ray;
 use super::render::{Rays, Rendering, render};
 use super::shading::{Light, Material, Shading};
 use super::solid_target::SolidTarget;
@@ -81,9 +81,17 @@ impl Scene {
 
     /// What a camera in the scene's place sees; `on_row` is called after every row.
     pub fn rendering(&self, camera: &AnyCamera, on_row: impl Fn() + Sync) -> Rendering {
-        let target = |item: &Item| SolidTarget::new(&item.solid.moved(&self.camera_from_world));
-        let targets: Vec<_> = self.items.par_iter().map(target).collect();
-        render(&targets, camera, on_row)
+        render(&self.targets_after(&self.camera_from_world), camera, on_row)
+    }
+
+    /// The solids, in the world's frame, for rays to be shot at.
+    pub fn targets(&self) -> Vec<SolidTarget> {
+        self.targets_after(&Pose::identity())
+    }
+
+    fn targets_after(&self, motion: &Pose) -> Vec<SolidTarget> {
+        let target = |item: &Item| SolidTarget::new(&item.solid.moved(motion));
+        self.items.par_iter().map(target).collect()
     }
 
     /// The light on what the camera sees.

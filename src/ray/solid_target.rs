@@ -2,72 +2,81 @@
 
 use nalgebra::Vector3;
 
-use super::hits::{Crossings, Ray};
+use super::cage::Cage;
+use super::half_line::Ray;
+use super::passage::Passage;
 use super::target::{Hit, Hittable, widened};
 use crate::shape::{LevelSet, Shape, Solid};
 use crate::solid::{Primitive, Tree};
 
-/// A solid, and a box around each of its primitives: a ray asks only those whose box it meets.
+/// A solid, and around each of its primitives a box, cut into cells where its surface is.
+///
+/// A ray asks only those primitives whose box it meets, and of them only the cells that it
+/// passes. No crossing is missed, however thin the part.
 #[derive(Debug, Clone)]
 pub struct SolidTarget<S = Shape> {
-    tree: Tree<(Primitive<S>, [Vector3<f64>; 2])>,
+    /// The numbers of the parts, made a solid.
+    tree: Tree<usize>,
+    parts: Vec<Part<S>>,
+    /// The box around all parts, in the world.
+    bounds: [Vector3<f64>; 2],
+}
+
+/// A primitive, with its box and cells in its own frame.
+#[derive(Debug, Clone)]
+pub(super) struct Part<S> {
+    pub primitive: Primitive<S>,
+    pub bounds: [Vector3<f64>; 2],
+    pub cage: Cage,
 }
 
 impl<S: Solid + LevelSet + Clone> SolidTarget<S> {
     /// A solid in the world.
     pub fn new(solid: &Tree<Primitive<S>>) -> Self {
-        let boxed =
-            |primitive: &Primitive<S>| (primitive.clone(), widened(primitive.bounding_box()));
-        Self { tree: solid.map(&boxed) }
+        let mut parts = Vec::new();
+        let tree = solid.map(&mut |primitive| {
+            parts.push(Part::new(primitive.clone()));
+            parts.len() - 1
+        });
+        let nothing = Vector3::from_element(f64::INFINITY);
+        let bounds = parts.iter().map(Part::bounds_world);
+        let bounds = bounds
+            .fold([nothing, -nothing], |[min, max], [low, high]| [min.inf(&low), max.sup(&high)]);
+        Self { tree, parts, bounds: widened(bounds) }
     }
 }
 
-impl<S: LevelSet> Hittable for SolidTarget<S> {
+impl<S: Solid + LevelSet> Part<S> {
+    fn new(primitive: Primitive<S>) -> Self {
+        let cage = Cage::new(primitive.deformed.shape());
+        let bounds = cage.bounds(&primitive.deformed);
+        let bounds = widened(bounds.unwrap_or_else(|| primitive.deformed.bounding_box()));
+        Self { primitive, bounds, cage }
+    }
+
+    /// The box along the world's axes around the part's own.
+    fn bounds_world(&self) -> [Vector3<f64>; 2] {
+        let [min, max] = self.bounds;
+        let middle = self.primitive.pose.world_from_model(&(0.5 * (min + max)));
+        let half = self.primitive.pose.rotation().matrix().abs() * (0.5 * (max - min));
+        [middle - half, middle + half]
+    }
+}
+
+impl<S: Solid + LevelSet> Hittable for SolidTarget<S> {
     fn first_hit(&self, ray: &Ray) -> Option<Hit> {
-        let Met { solid, range } = met(&self.tree, ray)?;
-        Crossings::new(&solid, *ray, range).next().map(|t| Hit::of(&solid, ray, t))
+        self.passage(ray)?.next()
     }
 
     fn all_hits(&self, ray: &Ray) -> Vec<Hit> {
-        let Some(Met { solid, range }) = met(&self.tree, ray) else { return Vec::new() };
-        Crossings::new(&solid, *ray, range).map(|t| Hit::of(&solid, ray, t)).collect()
+        self.passage(ray).into_iter().flatten().collect()
     }
 }
 
-/// What of a solid a ray may meet, and where along the ray.
-struct Met<'a, S> {
-    solid: Tree<&'a Primitive<S>>,
-    range: [f64; 2],
-}
-
-fn met<'a, S>(tree: &'a Tree<(Primitive<S>, [Vector3<f64>; 2])>, ray: &Ray) -> Option<Met<'a, S>> {
-    match tree {
-        Tree::Leaf((primitive, bounds)) => {
-            let range = ray.clipped(bounds)?;
-            Some(Met { solid: Tree::Leaf(primitive), range })
-        }
-        Tree::Union(parts) => {
-            let met: Vec<Met<'a, S>> = parts.iter().filter_map(|part| met(part, ray)).collect();
-            let hull = |a: [f64; 2], b: [f64; 2]| [a[0].min(b[0]), a[1].max(b[1])];
-            let range = met.iter().map(|part| part.range).reduce(hull)?;
-            Some(Met { solid: Tree::Union(solids(met)), range })
-        }
-        Tree::Intersection(parts) => {
-            let met: Vec<Met<'a, S>> =
-                parts.iter().map(|part| met(part, ray)).collect::<Option<_>>()?;
-            let shared = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].min(b[1])];
-            let range = met.iter().map(|part| part.range).reduce(shared)?;
-            let is_empty = range[0] > range[1];
-            (!is_empty).then(|| Met { solid: Tree::Intersection(solids(met)), range })
-        }
-        Tree::Difference(from, parts) => {
-            let Met { solid, range } = met(from, ray)?;
-            let taken = solids(parts.iter().filter_map(|part| met(part, ray)));
-            Some(Met { solid: Tree::Difference(Box::new(solid), taken), range })
-        }
+impl<S: Solid + LevelSet> SolidTarget<S> {
+    /// A ray's passage, if it may come into the solid at all.
+    fn passage(&self, ray: &Ray) -> Option<Passage<'_, S>> {
+        ray.clipped(&self.bounds)?;
+        Passage::of(&self.tree, &self.parts, ray)
     }
-}
-
-fn solids<'a, S>(met: impl IntoIterator<Item = Met<'a, S>>) -> Vec<Tree<&'a Primitive<S>>> {
-    met.into_iter().map(|part| part.solid).collect()
 }

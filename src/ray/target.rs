@@ -2,8 +2,9 @@
 
 use nalgebra::Vector3;
 
-use super::hits::{Crossings, Ray};
-use crate::math::{Dual, Interval};
+use super::half_line::Ray;
+use super::hits::Crossings;
+use crate::math::Dual;
 use crate::shape::LevelSet;
 
 /// Share of a box's size by which it is widened: what touches it is inside.
@@ -67,7 +68,7 @@ impl<S: LevelSet> Hittable for Target<S> {
 }
 
 impl Hit {
-    pub(super) fn of(solid: &impl LevelSet, ray: &Ray, t: f64) -> Self {
+    fn of(solid: &impl LevelSet, ray: &Ray, t: f64) -> Self {
         let position = ray.at(t);
         Self { t, position, normal: outward_normal(solid, &position) }
     }
@@ -82,13 +83,7 @@ pub(super) fn widened([min, max]: [Vector3<f64>; 2]) -> [Vector3<f64>; 2] {
 /// The outward unit normal at a point of the surface: the gradient of the level. On an edge one
 /// between those of its sides.
 pub(crate) fn outward_normal(solid: &impl LevelSet, x: &Vector3<f64>) -> Vector3<f64> {
-    let gradient = Vector3::from_fn(|axis, _| {
-        let along = std::array::from_fn(|i| {
-            let slope = if i == axis { Interval::point(1.0) } else { Interval::ZERO };
-            Dual { value: Interval::point(x[i]), slope }
-        });
-        solid.level(along).slope.middle()
-    });
+    let gradient = Vector3::from_fn(|axis, _| solid.level(Dual::along(axis, (*x).into())).slope);
     // Slopes without bound, at edges of exponents above 2, count as far as numbers go.
     let bounded = gradient.map(|part| if part.is_nan() { 0.0 } else { part.clamp(-1e150, 1e150) });
     bounded.try_normalize(0.0).unwrap_or_else(Vector3::z)

@@ -17,6 +17,6 @@ pub use info::InfoDocument;
 pub use model_document::{DocumentError, ModelDocument, any_model_from_json, model_from_json};
 pub use primitive_document::{PrimitiveInfoDocument, primitive_from_json};
 pub use scene_document::{scene_from_json, scene_from_toml};
-pub use solid_document::solid_from_json;
+pub use solid_document::{solid_from_json, solid_to_json};
 pub use solid_info::{SceneInfoDocument, SolidInfoDocument};
 pub use table::{fit_line, fit_table, model_table, primitive_table, scene_table, solid_table};

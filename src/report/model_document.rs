@@ -44,9 +44,6 @@ pub enum DocumentError {
     /// A deformed model where a plain one is needed.
     #[error("expected a model without deformations")]
     Deformed,
-    /// A deformed model whose masses are not known.
-    #[error("the masses of deformed models are told of superellipsoids only, found \"{0}\"")]
-    DeformedFamily(&'static str),
     /// A union, intersection or difference of nothing.
     #[error("expected a list of at least one solid after union, intersection or difference")]
     Parts,

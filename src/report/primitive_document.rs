@@ -47,12 +47,9 @@ pub fn primitive_from_json(text: &str) -> Result<Primitive<Shape>, DocumentError
     Primitive::try_from(&document_from_json(text)?)
 }
 
-/// The masses of a deformed superellipsoid, in its own frame.
-pub(super) fn masses(primitive: &Primitive<Shape>) -> Result<MassEstimate, DocumentError> {
-    match primitive.deformed.superellipsoid() {
-        Some(deformed) => Ok(deformed.mass_estimate(MASS_TOLERANCE)),
-        None => Err(DocumentError::DeformedFamily(primitive.deformed.shape().family())),
-    }
+/// The masses of a deformed model, in its own frame.
+pub(super) fn masses(primitive: &Primitive<Shape>) -> MassEstimate {
+    primitive.deformed.mass_estimate(MASS_TOLERANCE)
 }
 
 /// What is known of a deformed model, besides its parameters.
@@ -76,9 +73,9 @@ impl PrimitiveInfoDocument {
     /// The document of a deformed model.
     ///
     /// # Errors
-    /// If a profile is a function that has no document, or the shape is no superellipsoid.
+    /// If a profile is a function that has no document.
     pub fn new(primitive: &Primitive<Shape>) -> Result<Self, DocumentError> {
-        let estimate = masses(primitive)?;
+        let estimate = masses(primitive);
         let centroid = primitive.pose.world_from_model(&estimate.properties.centroid());
         Ok(Self {
             model: primitive.try_into()?,

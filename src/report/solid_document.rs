@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use super::document::to_json;
 use super::model_document::{DocumentError, ModelDocument, document_of};
 use crate::solid::{Primitive, Tree};
 
@@ -12,6 +13,28 @@ use crate::solid::{Primitive, Tree};
 /// If the text is not JSON, or a part is not the document of a solid.
 pub fn solid_from_json(text: &str) -> Result<Tree, DocumentError> {
     solid_of(&serde_json::from_str(text)?)
+}
+
+/// The JSON text of a solid, indented, with a final newline.
+///
+/// # Errors
+/// If a profile is a function that has no document.
+pub fn solid_to_json(solid: &Tree) -> Result<String, DocumentError> {
+    Ok(to_json(&value_of(solid)?))
+}
+
+fn value_of(solid: &Tree) -> Result<Value, DocumentError> {
+    let all = |parts: &mut dyn Iterator<Item = &Tree>| parts.map(value_of).collect();
+    let parts = |parts: &[Tree]| -> Result<Vec<Value>, DocumentError> { all(&mut parts.iter()) };
+    Ok(match solid {
+        Tree::Leaf(primitive) => serde_json::to_value(ModelDocument::try_from(primitive)?)?,
+        Tree::Union(of) => json!({ "union": parts(of)? }),
+        Tree::Intersection(of) => json!({ "intersection": parts(of)? }),
+        Tree::Difference(from, taken) => {
+            let of: Vec<Value> = all(&mut std::iter::once(&**from).chain(taken))?;
+            json!({ "difference": of })
+        }
+    })
 }
 
 /// The solid of a document; keys that mean nothing are left alone.
@@ -81,6 +104,13 @@ fn unknown_key(value: &Value, known: &Value) -> Option<String> {
 mod tests {
     use super::*;
     use nalgebra::Vector3;
+
+    #[test]
+    fn a_tree_comes_back_from_its_document() {
+        let solid = solid_from_json(BORED).unwrap();
+        let again = solid_from_json(&solid_to_json(&solid).unwrap()).unwrap();
+        assert_eq!(again, solid);
+    }
 
     const BORED: &str = r#"{"difference": [
         {"union": [

@@ -9,7 +9,7 @@ use crate::solid::{Tree, volume_bounds};
 
 /// How near to each other the bounds on a volume are to come, if cells as fine as
 /// [`volume_bounds`] takes them allow.
-const VOLUME_TOLERANCE: f64 = 0.02;
+const VOLUME_TOLERANCE: f64 = 1e-3;
 
 /// What is known of a union, intersection or difference.
 #[derive(Debug, Clone, Serialize)]

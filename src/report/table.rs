@@ -2,7 +2,6 @@
 
 use std::fmt::Write;
 
-use super::model_document::DocumentError;
 use super::primitive_document::masses;
 use super::solid_info::{SceneInfoDocument, SolidInfoDocument};
 use crate::model::Model;
@@ -96,16 +95,13 @@ pub fn model_table(model: &Model<Shape>) -> String {
 }
 
 /// What is known of a deformed model, in a few lines.
-///
-/// # Errors
-/// If the shape is no superellipsoid.
-pub fn primitive_table(primitive: &Primitive<Shape>) -> Result<String, DocumentError> {
+pub fn primitive_table(primitive: &Primitive<Shape>) -> String {
     let Primitive { deformed, pose } = primitive;
     let mut table = parameters(&Model { shape: *deformed.shape(), pose: *pose });
     for stage in deformed.chain().stages() {
         line(&mut table, "then", stage.kind().name());
     }
-    let estimate = masses(primitive)?;
+    let estimate = masses(primitive);
     let [min, max] = primitive.bounding_box();
     let inertia = estimate.properties.inertia();
     line(&mut table, "volume", &number(estimate.properties.volume(), DIGITS));
@@ -116,7 +112,7 @@ pub fn primitive_table(primitive: &Primitive<Shape>) -> Result<String, DocumentE
     line(&mut table, "mass error", &format!("{:.0e} at most", estimate.error));
     line(&mut table, "box min", &vector(min.as_slice(), DIGITS));
     line(&mut table, "box max", &vector(max.as_slice(), DIGITS));
-    Ok(table)
+    table
 }
 
 /// What is known of a solid that is made of several models, for people.

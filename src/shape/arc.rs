@@ -43,19 +43,24 @@ pub(crate) fn arc_nodes(e: f64) -> impl Iterator<Item = ArcNode> + Clone {
 
 /// So many nodes on either side of the diagonal, and the diagonal; every other of them, with
 /// twice the weight, is the rule of half as many. Domain: `e > 0`.
-pub(crate) fn arc_rule(e: f64, half_nodes: i32) -> impl Iterator<Item = ArcNode> + Clone {
-    let spread = 0.5 * e;
+fn arc_rule(e: f64, half_nodes: i32) -> impl Iterator<Item = ArcNode> + Clone {
     let step = greatest_arc_parameter(e) / f64::from(half_nodes);
     (-half_nodes..=half_nodes).map(move |i| {
-        let v = step * f64::from(i);
-        let power = v.sinh(); // ln of (y/x)^(2/e)
-        let (log_x, log_y) = (-log_sum(power), -log_sum(-power));
-        ArcNode {
-            point: [(spread * log_x).exp(), (spread * log_y).exp()],
-            shares: [log_x.exp(), log_y.exp()],
-            weight: step * spread * v.cosh(),
-        }
+        let node = arc_node(e, step * f64::from(i));
+        ArcNode { weight: step * node.weight, ..node }
     })
+}
+
+/// The point at the parameter v, its weight that of `dv`. Domain: `e > 0`.
+pub(crate) fn arc_node(e: f64, v: f64) -> ArcNode {
+    let spread = 0.5 * e;
+    let power = v.sinh(); // ln of (y/x)^(2/e)
+    let (log_x, log_y) = (-log_sum(power), -log_sum(-power));
+    ArcNode {
+        point: [(spread * log_x).exp(), (spread * log_y).exp()],
+        shares: [log_x.exp(), log_y.exp()],
+        weight: spread * v.cosh(),
+    }
 }
 
 /// `ln(1 + exp(u))`, without overflow.

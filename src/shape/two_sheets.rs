@@ -81,8 +81,25 @@ impl SuperhyperboloidTwoSheets {
 
     /// `|x| / a1` of the surface over `[v a2, w a3]`, both not negative.
     pub(crate) fn height(&self, v: f64, w: f64) -> f64 {
+        superellipse_norm(v, self.waist(w), self.exponents[1])
+    }
+
+    /// The least `|x| / a1` of the surface at `z = w a3`, and the `|y| / a2` at which it bends most.
+    pub(crate) fn waist(&self, w: f64) -> f64 {
+        superellipse_norm(1.0, w, self.exponents[0])
+    }
+
+    /// Values of `|z| / a3`, from 0 to the greatest, between which nothing bends sharply: the
+    /// others are where the surface does, and where the rim crosses its edge `v = waist`.
+    pub(crate) fn cuts_of_w(&self) -> Vec<f64> {
         let [e1, e2] = self.exponents;
-        superellipse_norm(v, superellipse_norm(1.0, w, e1), e2)
+        let crossing = self.top() / superellipse_norm(1.0, 1.0, e2);
+        let crossing = if crossing > 1.0 { hyperbola_norm(crossing, 1.0, e1) } else { 1.0 };
+        let mut cuts = vec![0.0, 1.0, crossing, self.greatest_vw()[1]];
+        cuts.retain(|&cut| cut <= self.greatest_vw()[1]);
+        cuts.sort_by(f64::total_cmp);
+        cuts.dedup();
+        cuts
     }
 
     /// The greatest `|y| / a2` and `|z| / a3`.
@@ -92,10 +109,9 @@ impl SuperhyperboloidTwoSheets {
     }
 
     /// The greatest `|y| / a2` at `z = w a3`; that of the rim's point there.
-    fn greatest_v(&self, w: f64) -> f64 {
-        let [e1, e2] = self.exponents;
-        let least_height = superellipse_norm(1.0, w, e1);
-        hyperbola_norm(self.top().max(least_height), least_height, e2)
+    pub(crate) fn greatest_v(&self, w: f64) -> f64 {
+        let waist = self.waist(w);
+        hyperbola_norm(self.top().max(waist), waist, self.exponents[1])
     }
 
     fn form(&self) -> BarrForm {

@@ -6,7 +6,7 @@ use crate::deform::{Deformed, MassEstimate};
 use crate::math::Scalar;
 use crate::model::Model;
 use crate::pose::Pose;
-use crate::shape::{LevelSet, Solid, Superellipsoid};
+use crate::shape::{LevelSet, Patched, Solid, Superellipsoid};
 
 /// A deformed shape, and where it stands in the world: first deformed, then moved.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,7 +58,7 @@ impl<S: Copy> Primitive<S> {
     }
 }
 
-impl Primitive {
+impl<S: Patched> Primitive<S> {
     /// The masses in the world's frame, to a tolerance as in [`Deformed::mass_estimate`].
     pub fn mass_estimate(&self, tolerance: f64) -> MassEstimate {
         let estimate = self.deformed.mass_estimate(tolerance);

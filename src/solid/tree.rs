@@ -41,15 +41,41 @@ impl<L> Tree<L> {
     }
 
     /// The tree of what a function makes of the leaves.
-    pub fn map<M>(&self, function: &impl Fn(&L) -> M) -> Tree<M> {
-        let all = |parts: &[Self]| parts.iter().map(|part| part.map(function)).collect();
+    pub fn map<M>(&self, function: &mut impl FnMut(&L) -> M) -> Tree<M> {
         match self {
             Self::Leaf(leaf) => Tree::Leaf(function(leaf)),
-            Self::Union(parts) => Tree::Union(all(parts)),
-            Self::Intersection(parts) => Tree::Intersection(all(parts)),
+            Self::Union(parts) => Tree::Union(Self::map_all(parts, function)),
+            Self::Intersection(parts) => Tree::Intersection(Self::map_all(parts, function)),
             Self::Difference(from, parts) => {
-                Tree::Difference(Box::new(from.map(function)), all(parts))
+                let from = Box::new(from.map(function));
+                Tree::Difference(from, Self::map_all(parts, function))
             }
+        }
+    }
+
+    fn map_all<M>(parts: &[Self], function: &mut impl FnMut(&L) -> M) -> Vec<Tree<M>> {
+        parts.iter().map(|part| part.map(function)).collect()
+    }
+
+    /// Whether what is in some of the leaves is in the solid.
+    pub fn holds(&self, is_in: &impl Fn(&L) -> bool) -> bool {
+        match self {
+            Self::Leaf(leaf) => is_in(leaf),
+            Self::Union(parts) => parts.iter().any(|part| part.holds(is_in)),
+            Self::Intersection(parts) => parts.iter().all(|part| part.holds(is_in)),
+            Self::Difference(from, parts) => {
+                from.holds(is_in) && !parts.iter().any(|part| part.holds(is_in))
+            }
+        }
+    }
+
+    /// Whether what is in some of the leaves, and in no others, may be in the solid.
+    pub(crate) fn can_hold(&self, may_be_in: &impl Fn(&L) -> bool) -> bool {
+        match self {
+            Self::Leaf(leaf) => may_be_in(leaf),
+            Self::Union(parts) => parts.iter().any(|part| part.can_hold(may_be_in)),
+            Self::Intersection(parts) => parts.iter().all(|part| part.can_hold(may_be_in)),
+            Self::Difference(from, _) => from.can_hold(may_be_in),
         }
     }
 }
@@ -57,7 +83,7 @@ impl<L> Tree<L> {
 impl<S: Clone> Tree<Primitive<S>> {
     /// The solid after a motion.
     pub fn moved(&self, motion: &Pose) -> Self {
-        self.map(&|primitive| Primitive {
+        self.map(&mut |primitive| Primitive {
             deformed: primitive.deformed.clone(),
             pose: motion.after(&primitive.pose),
         })
@@ -67,14 +93,7 @@ impl<S: Clone> Tree<Primitive<S>> {
 impl<S: Solid + LevelSet> Tree<Primitive<S>> {
     /// Whether a point of the world is inside.
     pub fn contains(&self, x: &Vector3<f64>) -> bool {
-        match self {
-            Self::Leaf(primitive) => primitive.contains(x),
-            Self::Union(parts) => parts.iter().any(|part| part.contains(x)),
-            Self::Intersection(parts) => parts.iter().all(|part| part.contains(x)),
-            Self::Difference(from, parts) => {
-                from.contains(x) && !parts.iter().any(|part| part.contains(x))
-            }
-        }
+        self.holds(&|primitive| primitive.contains(x))
     }
 
     /// A box along the world's axes that holds the solid, `[min, max]`; empty, its ends the

@@ -98,10 +98,7 @@ impl<S: Solid + LevelSet> Deformed<S> {
 
 /// The slopes of a function along the three axes, over a box.
 fn slopes(sides: [Interval; 3], function: impl Fn([Dual; 3]) -> Dual) -> [Interval; 3] {
-    std::array::from_fn(|axis| {
-        let along = |i: usize| if i == axis { Interval::point(1.0) } else { Interval::ZERO };
-        function(std::array::from_fn(|i| Dual { value: sides[i], slope: along(i) })).slope
-    })
+    std::array::from_fn(|axis| function(Dual::along(axis, sides)).slope)
 }
 
 /// The multiplier that leaves least of the slopes `ahead` when so much of those `outwards` is

@@ -2,15 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use nalgebra::{Matrix3, Vector3};
-use rand::{RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
+use nalgebra::Vector3;
 
 use super::*;
-use crate::deform::{
-    Bend, Deformation, Kind, Line, Polyline, Profile, Scale, Spline, Taper, Twist,
-};
-use crate::shape::MassProperties;
+use crate::deform::{Bend, Deformation, Line, Polyline, Spline, Taper, Twist};
 
 fn line(at_zero: f64, slope: f64) -> Line {
     Line::new(at_zero, slope).unwrap()
@@ -118,77 +113,6 @@ fn bounding_boxes_hold_the_surface_and_are_tight() {
             );
         }
     }
-}
-
-#[test]
-fn masses_of_smooth_deformations_converge_and_are_those_of_random_points() {
-    let mut rng = ChaCha8Rng::seed_from_u64(3);
-    // With kinks it converges slowly: one such solid will do.
-    let is_kinked = |solid: &Deformed| {
-        let kinds = solid.chain().stages().iter().map(Deformation::kind);
-        kinds.into_iter().any(
-            |kind| matches!(kind, Kind::Taper(t) if matches!(t.profile(), Profile::Polyline(_))),
-        )
-    };
-    let quick = |solid: &Deformed| !is_kinked(solid) || solid.shape().exponents() == [0.1; 2];
-    for solid in solids().into_iter().filter(quick) {
-        let estimate = solid.mass_estimate(1e-4);
-        assert!(estimate.error < 1.5e-3, "{solid:?} {}", estimate.error);
-        let [min, max] = solid.bounding_box();
-        let extent = max - min;
-        let (mut volume, mut first, mut second) = (0.0, Vector3::zeros(), Matrix3::zeros());
-        let count = 40_000;
-        let weight = extent.product() / f64::from(count);
-        for _ in 0..count {
-            let x = min + extent.map(|side| side * rng.random::<f64>());
-            if solid.contains(&x) {
-                volume += weight;
-                first += weight * x;
-                second += weight * x * x.transpose();
-            }
-        }
-        let drawn = MassProperties::of_integrals(volume, first, second);
-        // Five standard errors of a share of a half, and of moments about as certain.
-        let slack = 5.0 * 0.5 / f64::from(count).sqrt() * extent.product();
-        let length = extent.norm();
-        let properties = estimate.properties;
-        assert!((properties.volume() - drawn.volume()).abs() < slack, "{solid:?}");
-        let off_centre = (properties.centroid() - drawn.centroid()).norm();
-        assert!(off_centre * volume < slack * length, "{solid:?}");
-        let difference = (properties.inertia() - drawn.inertia()).amax();
-        assert!(difference < slack * length * length, "{solid:?}");
-    }
-}
-
-#[test]
-fn twists_keep_volumes_and_scalings_multiply_them() {
-    for exponents in [[0.1, 0.1], [1.0, 0.4], [2.0, 2.0]] {
-        let shape = Superellipsoid::new([0.8, 1.8, 0.6], exponents).unwrap();
-        let twist = Chain::new([Deformation::new(Twist::new(line(0.3, 2.0)))]);
-        let twisted = Deformed::new(shape, twist).unwrap().mass_estimate(1e-9);
-        assert!((twisted.properties.volume() / shape.volume() - 1.0).abs() < 1e-9);
-        let scale = Chain::new([Deformation::new(Scale::new([2.0, 0.5, 3.0]).unwrap())]);
-        let scaled = Deformed::new(shape, scale).unwrap().mass_estimate(1e-9);
-        let expected = Superellipsoid::new([1.6, 0.9, 1.8], exponents).unwrap();
-        let inertia = expected.mass_properties().inertia();
-        assert!((scaled.properties.inertia() - inertia).amax() < 1e-9 * inertia.amax());
-        assert!((scaled.surface_area / expected.surface_area() - 1.0).abs() < 1e-8);
-    }
-}
-
-#[test]
-fn a_bent_block_has_the_volume_and_centroid_of_pappus() {
-    // A block with e near 0 is a cuboid; of 1 - k z only the mean, 1, matters for its volume.
-    let shape = Superellipsoid::new([0.5, 1.0, 0.25], [1e-3, 1e-3]).unwrap();
-    let bent = Deformed::new(shape, Chain::new([quarter_bend()])).unwrap();
-    let properties = bent.mass_estimate(1e-6).properties;
-    assert!((properties.volume() / shape.volume() - 1.0).abs() < 1e-6);
-    // The centroid of a quarter of a ring of radii R +- a3 about its axis at height R.
-    let radius = 2.0 / FRAC_PI_2;
-    let (outer, inner) = (radius + 0.25, radius - 0.25);
-    let mean = 2.0 / 3.0 * (outer.powi(3) - inner.powi(3)) / (outer.powi(2) - inner.powi(2));
-    let height = radius - mean * (PI / 4.0).sin() / (PI / 4.0);
-    assert!((properties.centroid() - Vector3::new(0.0, 0.0, height)).norm() < 1e-5);
 }
 
 #[test]

@@ -144,7 +144,7 @@ impl Interval {
 }
 
 /// `(u/p)^(2/e - 1)`, with the limit that is greatest where both are zero.
-fn norm_slope(u: f64, v: f64, e: f64) -> f64 {
+pub(in crate::math) fn norm_slope(u: f64, v: f64, e: f64) -> f64 {
     let power = 2.0 / e - 1.0;
     if u == 0.0 && v == 0.0 || u.is_infinite() {
         return if power >= 0.0 { 1.0 } else { f64::INFINITY };

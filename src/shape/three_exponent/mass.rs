@@ -1,9 +1,12 @@
 //! Masses and area of the solid of three exponents.
 
+use nalgebra::Vector3;
+
 use super::ThreeExponent;
 use crate::math::beta;
 use crate::shape::arc::{ArcNode, arc_nodes};
 use crate::shape::mass::MassProperties;
+use crate::shape::patch::SurfaceElement;
 
 impl ThreeExponent {
     /// In closed form, by Dirichlet's integral.
@@ -22,33 +25,35 @@ impl ThreeExponent {
     /// both against `|z/a3|^n3`: relative error below 1e-9 for exponents from 1 to 40 and aspects
     /// up to 1:100.
     pub(super) fn area(&self) -> f64 {
-        let unit = self.size.into_iter().fold(0.0, f64::max);
-        let size = self.size.map(|a| a / unit);
-        let least_order = 1.0 / self.exponents.into_iter().fold(0.0, f64::max);
-        let nodes: Vec<ArcNode> = arc_nodes(2.0 * least_order).collect();
-        let strip = |north: &ArcNode| {
-            let sum: f64 = nodes.iter().map(|east| self.area_element(&size, north, east)).sum();
-            north.weight * sum
+        let nodes: Vec<ArcNode> = arc_nodes(2.0 * self.least_order()).collect();
+        let strip = |north: &ArcNode| -> f64 {
+            nodes.iter().map(|east| self.element(north, east).area.norm()).sum()
         };
-        let sum = nodes.iter().map(strip).sum::<f64>();
-        // From slopes to log-odds, twice.
-        8.0 * unit * unit * sum / least_order.powi(2)
+        8.0 * nodes.iter().map(strip).sum::<f64>()
     }
 
-    /// `|r_alpha x r_beta|` for log-odds alpha and beta, times the weight of beta.
-    fn area_element(&self, size: &[f64; 3], north: &ArcNode, east: &ArcNode) -> f64 {
+    /// The reciprocal of the greatest exponent.
+    pub(crate) fn least_order(&self) -> f64 {
+        1.0 / self.exponents.into_iter().fold(0.0, f64::max)
+    }
+
+    /// The point of the octant of positive coordinates, and `r_alpha x r_beta` for log-odds alpha
+    /// and beta times the weights of two nodes of exponent `2 least_order`.
+    pub(crate) fn element(&self, north: &ArcNode, east: &ArcNode) -> SurfaceElement {
         let [radial, axial] = north.shares;
         let [share_x, share_y] = east.shares;
         let [n1, n2, n3] = self.exponents;
-        let x = size[0] * (radial * share_x).powf(1.0 / n1);
-        let y = size[1] * (radial * share_y).powf(1.0 / n2);
-        let z = size[2] * axial.powf(1.0 / n3);
-        let projections = [
+        let x = self.size[0] * (radial * share_x).powf(1.0 / n1);
+        let y = self.size[1] * (radial * share_y).powf(1.0 / n2);
+        let z = self.size[2] * axial.powf(1.0 / n3);
+        let projections = Vector3::new(
             y * z * radial * share_x / (n2 * n3),
             x * z * radial * share_y / (n1 * n3),
             x * y * axial / (n1 * n2),
-        ];
-        east.weight * projections.iter().map(|p| p * p).sum::<f64>().sqrt()
+        );
+        // From slopes to log-odds, twice.
+        let weight = north.weight * east.weight / self.least_order().powi(2);
+        SurfaceElement { position: Vector3::new(x, y, z), area: weight * projections }
     }
 }
 

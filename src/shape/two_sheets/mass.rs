@@ -2,7 +2,6 @@
 
 use super::SuperhyperboloidTwoSheets;
 use crate::math::integral_in_pieces;
-use crate::math::superellipse_norm;
 use crate::shape::mass::MassProperties;
 
 impl SuperhyperboloidTwoSheets {
@@ -25,30 +24,14 @@ impl SuperhyperboloidTwoSheets {
 
     /// Area of the whole boundary, to the accuracy of the masses.
     pub(super) fn area_of_bowls_and_caps(&self) -> f64 {
-        let [a1, a2, a3] = self.size;
-        let [k1, k2] = self.exponents.map(|e| 2.0 / e - 1.0);
-        self.over_caps(|v, w| {
-            let waist = superellipse_norm(1.0, w, self.exponents[0]);
-            let height = superellipse_norm(v, waist, self.exponents[1]);
-            let slope_v = (v / height).powf(k2);
-            let slope_w = (waist / height).powf(k2) * (w / waist).powf(k1);
-            let faces = [a2 * a3, a1 * a3 * slope_v, a1 * a2 * slope_w];
-            faces.iter().map(|f| f * f).sum::<f64>().sqrt() + a2 * a3
-        })
+        self.over_caps(|v, w| self.bowl(v, w).area.norm() + self.cap(v, w).area.norm())
     }
 
     /// The integral over both caps of a function of `v >= 0` and `w >= 0`.
     fn over_caps(&self, f: impl Fn(f64, f64) -> f64) -> f64 {
-        let [e1, e2] = self.exponents;
-        let strip = |w: f64| {
-            let waist = superellipse_norm(1.0, w, e1);
-            integral_in_pieces(|v| f(v, w), [0.0, self.greatest_v(w)], &[waist])
-        };
-        // Where the rim crosses the edge `v = waist` of the surface.
-        let crossing = self.top() / superellipse_norm(1.0, 1.0, e2);
-        let cuts =
-            [1.0, if crossing > 1.0 { super::hyperbola_norm(crossing, 1.0, e1) } else { 1.0 }];
-        8.0 * integral_in_pieces(strip, [0.0, self.greatest_vw()[1]], &cuts)
+        let strip =
+            |w: f64| integral_in_pieces(|v| f(v, w), [0.0, self.greatest_v(w)], &[self.waist(w)]);
+        8.0 * integral_in_pieces(strip, [0.0, self.greatest_vw()[1]], &self.cuts_of_w())
     }
 }
 

@@ -68,9 +68,11 @@ fn volumes_of_two_balls_are_their_closed_forms() {
     let shared = lens_volume(1.0);
     let expected = [whole, 2.0 * whole - shared, shared, whole - shared];
     for (solid, expected) in solids().iter().zip(expected) {
-        let [least, greatest] = volume_bounds(solid, 0.05);
-        assert!(least <= expected && expected <= greatest, "{least} {expected} {greatest}");
-        assert!(greatest - least <= 0.05 * greatest);
+        for tolerance in [0.05, 1e-3] {
+            let [least, greatest] = volume_bounds(solid, tolerance);
+            assert!(least <= expected && expected <= greatest, "{least} {expected} {greatest}");
+            assert!(greatest - least <= tolerance * greatest, "{tolerance}");
+        }
     }
 }
 
@@ -79,7 +81,8 @@ fn meshes_are_closed_and_their_volume_is_within_the_bounds() {
     for solid in solids() {
         let mesh = boundary_mesh(&solid, solid.bounding_box(), 60);
         assert!(mesh.is_closed());
-        let [least, greatest] = volume_bounds(&solid, 0.1);
+        let [least, greatest] = volume_bounds(&solid, 0.01);
+        assert!(greatest - least <= 0.01 * greatest);
         // Chords of cells of a sixtieth cut corners.
         let slack = 0.01 * greatest;
         let volume = mesh.volume();

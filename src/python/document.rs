@@ -1,0 +1,25 @@
+//! Documents as dictionaries, and from files.
+
+use std::path::Path;
+
+use pyo3::prelude::*;
+
+use super::errors::os_error;
+
+/// The dictionary of a JSON text.
+pub(super) fn to_python<'py>(py: Python<'py>, json: &str) -> PyResult<Bound<'py, PyAny>> {
+    py.import("json")?.call_method1("loads", (json,))
+}
+
+/// The JSON text of a dictionary.
+pub(super) fn from_python(document: &Bound<'_, PyAny>) -> PyResult<String> {
+    document.py().import("json")?.call_method1("dumps", (document,))?.extract()
+}
+
+/// The text in a file.
+pub(super) fn read_text(path: &Path) -> PyResult<String> {
+    let bytes = std::fs::read(path).map_err(|error| {
+        os_error(error.kind(), format!("cannot read {}: {error}", path.display()))
+    })?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
