@@ -1,12 +1,9 @@
-//! What of its own surface a solid hides.
+//! What solids hide of their surfaces.
 
 use nalgebra::Vector3;
 
-use crate::deform::Deformed;
-use crate::pose::Pose;
-use crate::ray::{Hittable, Ray, Target, outward_normal};
-use crate::shape::Shape;
-use crate::solid::Primitive;
+use crate::ray::{Hittable, Ray, SolidTarget};
+use crate::solid::Tree;
 use crate::view::Viewpoint;
 
 /// Share of the solid's size by which a ray passes above the point that it is sent to: where it
@@ -16,27 +13,23 @@ const CLEARANCE: f64 = 1e-6;
 /// Sizes of the solid from which a parallel ray comes.
 const DISTANCE: f64 = 2.0;
 
-/// A solid and where it is seen from, both in the solid's frame.
+/// A solid and where it is seen from.
 pub(super) struct Visibility {
-    target: Target<Primitive<Shape>>,
+    target: SolidTarget,
     viewpoint: Viewpoint,
     size: f64,
 }
 
 impl Visibility {
-    pub fn new(solid: &Deformed<Shape>, viewpoint: Viewpoint) -> Self {
-        let primitive = Primitive { deformed: solid.clone(), pose: Pose::identity() };
-        let bounds = primitive.bounding_box();
-        Self {
-            target: Target::new(primitive, bounds),
-            viewpoint,
-            size: (bounds[1] - bounds[0]).norm(),
-        }
+    pub fn new(solid: &Tree, viewpoint: Viewpoint) -> Self {
+        let [min, max] = solid.bounding_box();
+        Self { target: SolidTarget::new(solid), viewpoint, size: (max - min).norm() }
     }
 
-    /// Whether the solid is in the way to a point of its surface.
-    pub fn is_hidden(&self, x: &Vector3<f64>) -> bool {
-        let goal = x + CLEARANCE * self.size * outward_normal(self.target.solid(), x);
+    /// Whether the solid is in the way to a point of its surface, of which the outward normal is
+    /// given.
+    pub fn is_hidden(&self, x: &Vector3<f64>, normal: &Vector3<f64>) -> bool {
+        let goal = x + CLEARANCE * self.size * normal;
         let direction = match self.viewpoint {
             Viewpoint::At(centre) => goal - centre,
             Viewpoint::Along(direction) => DISTANCE * self.size * direction.normalize(),

@@ -1,6 +1,6 @@
 //! Closed meshes of shapes of any family.
 
-mod bowls;
+pub(super) mod bowls;
 
 use nalgebra::Vector3;
 

@@ -54,7 +54,7 @@ fn is_rim(place: usize, n: usize) -> bool {
 
 /// The `[v, w]` of a point of the square `[-1, 1]^2`: as far towards the rim as it is towards the
 /// square's boundary.
-fn place(bowls: &SuperhyperboloidTwoSheets, [p, q]: [f64; 2]) -> [f64; 2] {
+pub(crate) fn place(bowls: &SuperhyperboloidTwoSheets, [p, q]: [f64; 2]) -> [f64; 2] {
     let share = p.abs().max(q.abs());
     if share == 0.0 {
         return [0.0; 2];
