@@ -8,9 +8,7 @@ use super::error::CliError;
 use crate::cloud::{self, PointCloud};
 use crate::model::Model;
 use crate::ray::Scene;
-use crate::report::{
-    DocumentError, any_model_from_json, scene_from_json, scene_from_toml,
-};
+use crate::report::{DocumentError, any_model_from_json, scene_from_json, scene_from_toml};
 use crate::shape::Shape;
 use crate::surface::format::MeshFormat;
 

@@ -30,8 +30,8 @@ const SEGMENTS: [f64; 2] = [32.0, 128.0];
 const SPACING: f64 = 1.0;
 const POINTS: [f64; 2] = [128.0, 16_384.0];
 
-/// Polygons of less than this share of the silhouette's area are specks of rounding.
-const SPECK: f64 = 1e-7;
+/// Polygons besides the greatest that are no wider, in pixels, are specks of what chords are off.
+const SPECK: f64 = 0.1;
 
 /// What a camera sees of a solid's edge.
 #[derive(Debug, Clone, PartialEq)]
@@ -196,8 +196,16 @@ fn covered(images: &[Vec<[f64; 2]>]) -> Vec<Vec<[f64; 2]>> {
     let shapes = images.to_vec().simplify_shape_as::<i64>(FillRule::NonZero);
     let polygons: Vec<Vec<[f64; 2]>> = shapes.into_iter().flatten().collect();
     let greatest = polygons.iter().map(|polygon| signed_area(polygon).abs()).fold(0.0, f64::max);
-    let is_speck = |polygon: &[[f64; 2]]| signed_area(polygon).abs() < SPECK * greatest;
+    let is_speck = |polygon: &[[f64; 2]]| {
+        let area = signed_area(polygon).abs();
+        area < greatest && 2.0 * area < SPECK * perimeter(polygon)
+    };
     polygons.into_iter().filter(|polygon| !is_speck(polygon)).collect()
+}
+
+fn perimeter(polygon: &[[f64; 2]]) -> f64 {
+    let next = polygon.iter().cycle().skip(1);
+    polygon.iter().zip(next).map(|(a, b)| (b[0] - a[0]).hypot(b[1] - a[1])).sum()
 }
 
 /// Area of a polygon, negative one way around.

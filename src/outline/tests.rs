@@ -8,8 +8,8 @@ use crate::model::Model;
 use crate::pose::Pose;
 use crate::ray::{Hittable, Rays, SolidTarget, outward_normal};
 use crate::shape::{
-    LevelSet, Shape, Superellipsoid, SuperhyperboloidOneSheet, SuperhyperboloidTwoSheets, Supertoroid,
-    ThreeExponent,
+    LevelSet, Shape, Superellipsoid, SuperhyperboloidOneSheet, SuperhyperboloidTwoSheets,
+    Supertoroid, ThreeExponent,
 };
 use crate::solid::{Primitive, Tree};
 use crate::view::{Camera, Distortion, OrthographicCamera, Projection, Viewpoint};

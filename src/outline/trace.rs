@@ -12,6 +12,10 @@ use crate::surface::Mesh;
 /// Halvings of a chord, at most.
 const HALVINGS: u32 = 12;
 
+/// Share of the mesh's size within which points are one: where several edges of the mesh meet on
+/// an edge of the solid.
+const SAME: f64 = 1e-9;
+
 /// The rim as closed curves of points of it, the last next to the first; what faces the camera is
 /// to their left, as seen from outside.
 ///
@@ -25,11 +29,13 @@ pub(super) fn trace<S: LevelSet + Sync>(
     mesh: &Mesh,
     is_coarse: impl Fn(&[Vector3<f64>; 3]) -> bool + Sync,
 ) -> Vec<Vec<Vector3<f64>>> {
+    let from_first = |x: &Vector3<f64>| (x - mesh.vertices()[0]).norm();
+    let same = SAME * mesh.vertices().iter().map(from_first).fold(0.0, f64::max);
     let curve = |edges: Vec<[u32; 2]>| {
         let ends = |edge: [u32; 2]| edge.map(|i| mesh.vertices()[i as usize]);
         let mut points: Vec<Vector3<f64>> =
             edges.into_par_iter().map(|edge| facing.crossing(ends(edge))).collect();
-        points.dedup();
+        points.dedup_by(|a, b| (*a - *b).norm() <= same);
         refined(facing, &points, &is_coarse)
     };
     loops(mesh, facing).into_iter().map(curve).collect()
