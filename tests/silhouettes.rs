@@ -15,9 +15,7 @@ use superquadric::shape::{
     Supertoroid, ThreeExponent,
 };
 use superquadric::solid::{Primitive, Tree};
-use superquadric::view::{
-    AnyCamera, Camera, Distortion, OrthographicCamera, Projection, Viewpoint,
-};
+use superquadric::view::{AnyCamera, Camera, Distortion, OrthographicCamera, Viewpoint};
 
 const WIDTH: u32 = 160;
 const HEIGHT: u32 = 120;
@@ -165,9 +163,8 @@ fn error(solid: &Tree, camera: &AnyCamera) -> f64 {
     places(outline.polygons()).iter().filter_map(off).fold(0.0, f64::max)
 }
 
-#[test]
-fn outlines_are_the_edges_of_what_rays_hit_of_200_random_solids_and_both_cameras() {
-    let errors: Vec<(u64, bool, f64)> = (0..200)
+fn assert_are_edges_of_what_rays_hit(seeds: std::ops::Range<u64>) {
+    let errors: Vec<(u64, bool, f64)> = seeds
         .into_par_iter()
         .flat_map_iter(|seed| {
             let mut scene = Scene::new(seed);
@@ -180,6 +177,17 @@ fn outlines_are_the_edges_of_what_rays_hit_of_200_random_solids_and_both_cameras
         .collect();
     let far: Vec<_> = errors.iter().filter(|(.., error)| *error >= TOLERANCE).collect();
     assert!(far.is_empty(), "{} of {}: {far:?}", far.len(), errors.len());
+}
+
+#[test]
+fn outlines_are_the_edges_of_what_rays_hit_of_random_solids_and_both_cameras() {
+    assert_are_edges_of_what_rays_hit(0..30);
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn outlines_are_the_edges_of_what_rays_hit_of_200_random_solids_and_both_cameras() {
+    assert_are_edges_of_what_rays_hit(0..200);
 }
 
 fn solids_that_hide_of_themselves() -> Vec<Tree> {
@@ -238,6 +246,22 @@ fn rims_are_hidden_where_small_steps_along_the_line_of_sight_enter_the_solid() {
         }
     }
     assert!(hidden > 100 && seen > 500, "{hidden} {seen}");
+}
+
+/// Pictures of a tenth of the size to twenty times as large: chords follow.
+#[test]
+fn outlines_are_as_near_in_pictures_of_any_size() {
+    for solid in solids_that_hide_of_themselves() {
+        let pose = Pose::from_euler_zyz([0.3, 1.1, 0.4], Vector3::new(0.0, 0.0, 8.0));
+        let solid = solid.moved(&pose);
+        for size in [0.1, 1.0, 20.0] {
+            let [scale, origin] = [[20.0 * size; 2], [80.0, 60.0]];
+            let (width, height) = (WIDTH, HEIGHT);
+            let camera = OrthographicCamera { scale, origin, width, height };
+            let off = error(&solid, &AnyCamera::from(camera));
+            assert!(off < TOLERANCE, "{off} pixels of {solid:?} {size} times as large");
+        }
+    }
 }
 
 fn ball(center: [f64; 3]) -> Tree {

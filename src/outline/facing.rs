@@ -34,18 +34,18 @@ impl<S: LevelSet> Facing<'_, S> {
     }
 
     /// The point of the rim between a surface point that faces the camera and one that does not.
-    /// Where an edge lies between them, a point of the edge.
-    pub fn crossing(&self, [front, back]: [Vector3<f64>; 2]) -> Vector3<f64> {
+    /// Where an edge lies between them, a point of the edge; none if no point of the surface is
+    /// found there.
+    pub fn crossing(&self, [front, back]: [Vector3<f64>; 2]) -> Option<Vector3<f64>> {
         let chord = back - front;
         let reach = chord.norm();
         let sum = outward_normal(self.solid, &front) + outward_normal(self.solid, &back);
         let across = sum - chord * (sum.dot(&chord) / chord.norm_squared());
-        let Some(outward) = across.try_normalize(0.0) else { return front };
-        let surface = |share: f64| {
-            let x = front + share * chord;
-            self.on_surface(x, reach * outward).unwrap_or(x)
-        };
-        surface(increasing_root(|share| self.away(&surface(share)), [0.0, 1.0]))
+        let outward = across.try_normalize(0.0)?;
+        let place = |share: f64| front + share * chord;
+        let surface = |share: f64| self.on_surface(place(share), reach * outward);
+        let away = |share: f64| self.away(&surface(share).unwrap_or(place(share)));
+        surface(increasing_root(away, [0.0, 1.0]))
     }
 
     /// The point of the rim beside a place on the chord between two points of it, if it is found.
@@ -62,7 +62,7 @@ impl<S: LevelSet> Facing<'_, S> {
         ASIDE.into_iter().find_map(|aside| {
             let [front, back] = [surface(aside)?, surface(-aside)?];
             let is_between = self.away(&front) < 0.0 && self.away(&back) >= 0.0;
-            let x = is_between.then(|| self.crossing([front, back]))?;
+            let x = is_between.then(|| self.crossing([front, back])).flatten()?;
             ((x - place).norm() <= REACH * length).then_some(x)
         })
     }

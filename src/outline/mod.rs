@@ -7,6 +7,7 @@ mod facing;
 #[cfg(feature = "overlay")]
 mod overlay;
 mod part;
+mod polish;
 mod residual;
 mod rim_curve;
 mod silhouette;

@@ -16,14 +16,27 @@ pub(super) struct Part<'a> {
     pub solid: &'a Tree,
     /// The part as a model, if it is a convex superellipsoid.
     pub convex: Option<Model>,
+    /// A box that holds it, `[min, max]`.
+    pub bounds: [Vector3<f64>; 2],
 }
 
-/// The parts of a solid.
+/// The parts of a solid that are not empty.
 pub(super) fn parts(solid: &Tree) -> Vec<Part<'_>> {
-    match solid {
-        Tree::Union(of) => of.iter().flat_map(parts).collect(),
-        _ => vec![Part { solid, convex: convex(solid) }],
+    if let Tree::Union(of) = solid {
+        return of.iter().flat_map(parts).collect();
     }
+    let bounds @ [min, max] = solid.bounding_box();
+    let is_empty = (max - min).iter().any(|side| !(*side > 0.0 && side.is_finite()));
+    if is_empty { Vec::new() } else { vec![Part { solid, convex: convex(solid), bounds }] }
+}
+
+/// A box that holds all parts, `[min, max]`.
+pub(super) fn bounds(parts: &[Part<'_>]) -> [Vector3<f64>; 2] {
+    let infinite = Vector3::from_element(f64::INFINITY);
+    let hull = |[min, max]: [Vector3<f64>; 2], part: &Part<'_>| {
+        [min.inf(&part.bounds[0]), max.sup(&part.bounds[1])]
+    };
+    parts.iter().fold([infinite, -infinite], hull)
 }
 
 /// The undeformed superellipsoid that is convex, if it is one.
@@ -77,7 +90,7 @@ impl Part<'_> {
                 deformed_mesh(deformed, &tessellate_shape(deformed.shape(), resolution))
                     .transformed(pose)
             }
-            solid => boundary_mesh(solid, solid.bounding_box(), segments),
+            solid => boundary_mesh(solid, self.bounds, segments),
         }
     }
 }

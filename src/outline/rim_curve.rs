@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use super::part::{Part, parts};
+use super::part::{Part, bounds, parts};
 use super::spacing::length;
 use super::visibility::Visibility;
 use crate::ray::outward_normal;
@@ -48,15 +48,18 @@ pub fn rim_curves(
     count: usize,
 ) -> Result<Vec<RimCurve>, RimError> {
     check(solid, viewpoint)?;
-    let [min, max] = solid.bounding_box();
-    let tolerance = TOLERANCE * (max - min).norm();
     let parts = parts(solid);
+    let bounds @ [min, max] = bounds(&parts);
     let mut curves = Vec::new();
     for part in &parts {
-        curves.extend(dense(part, viewpoint, tolerance)?.into_iter().map(|curve| (part, curve)));
+        curves.extend(
+            dense(part, viewpoint, TOLERANCE * (max - min).norm())?
+                .into_iter()
+                .map(|curve| (part, curve)),
+        );
     }
     let whole: f64 = curves.iter().map(|(_, curve)| length(curve)).sum();
-    let visibility = Visibility::new(solid, *viewpoint);
+    let visibility = Visibility::new(solid, bounds, *viewpoint);
     let spaced = |(part, curve): &(&Part<'_>, Vec<Vector3<f64>>)| {
         let share = length(curve) / whole;
         let count = (share * count as f64).round() as usize;

@@ -4,11 +4,13 @@ use i_overlay::core::fill_rule::FillRule;
 use i_overlay::float::simplify::SimplifyShape;
 use nalgebra::{Vector2, Vector3};
 
-use super::part::{Part, parts};
+use super::part::{Part, bounds, parts};
+use super::polish::polished;
 use super::rim_curve::{RimCurve, check};
 use super::spacing::length;
 use super::visibility::Visibility;
 use crate::pose::Pose;
+use crate::ray::Rays;
 use crate::solid::Tree;
 use crate::view::{Contour, Projection, RimError, Viewpoint};
 
@@ -44,21 +46,25 @@ impl Outline {
     /// The outline of a solid, given in the camera's frame.
     ///
     /// A superellipsoid's with exponents up to 2 is its [`Contour`]. Any other's has vertices
-    /// that are solved for, and chords no more than some 0.02 pixels off; that of a union is the
-    /// boundary of what its parts cover. The rim has a point at least every pixel, or, of small
+    /// that are solved for, and chords no more than some 0.02 pixels off; where rays on either
+    /// side tell otherwise, as at blades of exponents above 2, those decide, to 0.2 pixels. That
+    /// of a union is the boundary of what its parts cover. The rim has a point at least every pixel, or, of small
     /// solids, 128 of them.
     ///
     /// # Errors
     /// If the camera is not outside the solid, or part of it is behind the camera or where the
     /// lens lets no ray through.
-    pub fn of(solid_camera: &Tree, camera: &(impl Projection + Sync)) -> Result<Self, RimError> {
+    pub fn of(
+        solid_camera: &Tree,
+        camera: &(impl Projection + Rays + Sync),
+    ) -> Result<Self, RimError> {
         let viewpoint = camera.viewpoint(&Pose::identity());
         check(solid_camera, &viewpoint)?;
         let view = View { camera, viewpoint };
-        let visibility = Visibility::new(solid_camera, viewpoint);
         let (mut images, mut rim_camera) = (Vec::new(), Vec::new());
         let ahead: Vec<Part<'_>> =
             parts(solid_camera).into_iter().filter(|part| view.is_ahead(part)).collect();
+        let visibility = Visibility::new(solid_camera, bounds(&ahead), viewpoint);
         for part in &ahead {
             let curves = view.curves(part)?;
             let has_none = curves.is_empty() && matches!(viewpoint, Viewpoint::At(_));
@@ -75,7 +81,13 @@ impl Outline {
             return Err(RimError::Behind);
         }
         let is_convex = ahead.len() == 1 && ahead[0].convex.is_some();
-        Ok(Self { polygons: if is_convex { images } else { covered(&images) }, rim_camera })
+        if !is_convex {
+            let is_hit = |[column, row]: [f64; 2]| {
+                camera.ray(column, row).is_some_and(|ray| visibility.is_hit(&ray))
+            };
+            images = covered(&polished(&covered(&images), is_hit));
+        }
+        Ok(Self { polygons: images, rim_camera })
     }
 
     /// The boundary of the silhouette in pixels `[column, row]`: closed polygons, the last vertex
@@ -120,13 +132,10 @@ struct View<'a, P> {
 impl<P: Projection + Sync> View<'_, P> {
     /// Whether any of a part can be before the camera.
     fn is_ahead(&self, part: &Part<'_>) -> bool {
-        let [min, max] = part.solid.bounding_box();
-        let is_before = match self.viewpoint {
-            Viewpoint::At(_) => max.z > 0.0,
+        match self.viewpoint {
+            Viewpoint::At(_) => part.bounds[1].z > 0.0,
             Viewpoint::Along(_) => true,
-        };
-        // Nothing is left of an intersection whose box is empty.
-        is_before && (max - min).iter().all(|side| *side > 0.0 && side.is_finite())
+        }
     }
 
     fn curves(&self, part: &Part<'_>) -> Result<Vec<Curve>, RimError> {
@@ -164,9 +173,8 @@ impl<P: Projection + Sync> View<'_, P> {
 
     /// Segments of the mesh of a part.
     fn segments(&self, part: &Part<'_>) -> usize {
-        let [min, max] = part.solid.bounding_box();
-        let nearest = 0.5 * (min + max);
-        let pixels = (max - min).norm() * self.scale(&nearest);
+        let [min, max] = part.bounds;
+        let pixels = (max - min).norm() * self.scale(&(0.5 * (min + max)));
         let [fewest, most] = SEGMENTS;
         2 * (pixels / PIXELS_A_SEGMENT / 2.0).clamp(0.5 * fewest, 0.5 * most) as usize
     }
@@ -209,7 +217,7 @@ fn perimeter(polygon: &[[f64; 2]]) -> f64 {
 }
 
 /// Area of a polygon, negative one way around.
-fn signed_area(polygon: &[[f64; 2]]) -> f64 {
+pub(super) fn signed_area(polygon: &[[f64; 2]]) -> f64 {
     let Some(&[u0, v0]) = polygon.first() else { return 0.0 };
     // Seen from a vertex: nothing cancels far from the image's corner.
     let doubled = |[a, b]: [[f64; 2]; 2]| (a[0] - u0) * (b[1] - v0) - (b[0] - u0) * (a[1] - v0);

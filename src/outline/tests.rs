@@ -159,6 +159,28 @@ fn lines_of_sight_touch_smooth_solids_at_their_rims() {
     }
 }
 
+#[test]
+fn points_of_traced_rims_are_evenly_spaced() {
+    for deformed in solids(&smooth()) {
+        let solid = Tree::from(Primitive { deformed, pose: Pose::identity() });
+        let viewpoint = Viewpoint::At(Vector3::new(5.0, -2.0, 3.0));
+        let curves = rim_curves(&solid, &viewpoint, 600).unwrap();
+        let count: usize = curves.iter().map(|curve| curve.points.len()).sum();
+        assert!(count.abs_diff(600) < curves.len() + 1, "{count}");
+        for RimCurve { points, is_hidden } in &curves {
+            assert_eq!(points.len(), is_hidden.len());
+            let next = points.iter().cycle().skip(1);
+            let steps: Vec<f64> = points.iter().zip(next).map(|(a, b)| (b - a).norm()).collect();
+            let mean = steps.iter().sum::<f64>() / steps.len() as f64;
+            // Chords across a sharp bend are shorter than the way around it.
+            assert!(
+                steps.iter().all(|step| *step < 1.05 * mean && *step > 0.7 * mean),
+                "{solid:?}"
+            );
+        }
+    }
+}
+
 /// Half-planes through the axis cut a round torus in two circles; seen from far away along x, the
 /// rim is where the circles' normals are across to x.
 #[test]

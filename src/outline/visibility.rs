@@ -17,13 +17,26 @@ const DISTANCE: f64 = 2.0;
 pub(super) struct Visibility {
     target: SolidTarget,
     viewpoint: Viewpoint,
+    middle: Vector3<f64>,
     size: f64,
 }
 
 impl Visibility {
-    pub fn new(solid: &Tree, viewpoint: Viewpoint) -> Self {
-        let [min, max] = solid.bounding_box();
-        Self { target: SolidTarget::new(solid), viewpoint, size: (max - min).norm() }
+    /// A solid, and a box `[min, max]` that holds it.
+    pub fn new(solid: &Tree, [min, max]: [Vector3<f64>; 2], viewpoint: Viewpoint) -> Self {
+        let (middle, size) = (0.5 * (min + max), (max - min).norm());
+        Self { target: SolidTarget::new(solid), viewpoint, middle, size }
+    }
+
+    /// Whether a ray meets the solid, from its origin on; a parallel one from before the solid.
+    pub fn is_hit(&self, ray: &Ray) -> bool {
+        let Ray { mut origin, direction } = *ray;
+        if let Viewpoint::Along(_) = self.viewpoint {
+            let length = direction.norm();
+            let to_middle = (self.middle - origin).dot(&direction) / length;
+            origin += (to_middle - DISTANCE * self.size) / length * direction;
+        }
+        self.target.first_hit(&Ray { origin, direction }).is_some()
     }
 
     /// Whether the solid is in the way to a point of its surface, of which the outward normal is

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use self::lines::{Line, surface_lines};
 use super::facing::Facing;
-use super::part::convex;
+use super::part::{bounds, convex, parts};
 use super::visibility::Visibility;
 use crate::deform::Deform;
 use crate::pose::Pose;
@@ -102,7 +102,9 @@ struct Sight<'a> {
 impl<'a> Sight<'a> {
     fn new(solid: &'a Tree, camera: &impl Projection) -> Self {
         let viewpoint = camera.viewpoint(&Pose::identity());
-        let visibility = convex(solid).is_none().then(|| Visibility::new(solid, viewpoint));
+        let bounds = || bounds(&parts(solid));
+        let visibility =
+            convex(solid).is_none().then(|| Visibility::new(solid, bounds(), viewpoint));
         Self { facing: Facing { solid, viewpoint }, visibility }
     }
 
