@@ -413,6 +413,7 @@ def _evaluate_suite(
     threads: int | None = None,
     on_scene: Callable[[int, int], object] | None = None,
 ) -> None: ...
+
 _Solid = Superellipsoid | Shape | Fit | list[Superellipsoid | Shape | Fit]
 _AnyCamera = Camera | OrthographicCamera
 

@@ -27,6 +27,6 @@ pub use extrinsics::read_camera_from_world;
 #[cfg(feature = "overlay")]
 pub(crate) use image::{Pixels, read_png};
 pub use mask::Mask;
-pub use projection::{OrthographicCamera, Projection, model_in_camera};
+pub use projection::{OrthographicCamera, Projection};
 pub use rim::{RimError, Viewpoint, orthographic_rim_meridians, orthographic_rim_point, rim};
 pub use table::{find_plane, points_above};

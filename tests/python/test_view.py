@@ -189,9 +189,9 @@ def test_contour_is_the_image_of_its_rim():
         np.testing.assert_allclose(model.gauge(curve.points), 1, atol=1e-13)
     with pytest.raises(superquadric.ViewError, match="not outside"):
         superquadric.contour(superquadric.Superellipsoid([1, 1, 1], [1, 1]), square_camera())
-    for model, camera in [("model", square_camera()), (model, "camera")]:
+    for wrong, camera in [("model", square_camera()), (model, "camera")]:
         with pytest.raises(TypeError, match="expected a"):
-            superquadric.contour(model, camera)
+            superquadric.contour(wrong, camera)
 
 
 def test_cameras_of_either_kind_come_from_files(tmp_path):
