@@ -1,5 +1,7 @@
 //! Which way a surface faces a camera.
 
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+
 use nalgebra::Vector3;
 
 use crate::math::increasing_root;
@@ -12,6 +14,10 @@ const FINEST: i32 = 12;
 
 /// How far to either side of a chord the rim is looked for, in chords.
 const ASIDE: [f64; 4] = [1.0 / 32.0, 1.0 / 8.0, 0.5, 1.0];
+
+/// Turns about a chord, in radians, of the direction in which the surface is looked for beside it:
+/// on edges the normal may be that of either side, or none between.
+const TURNS: [f64; 5] = [0.0, FRAC_PI_4, -FRAC_PI_4, FRAC_PI_2, -FRAC_PI_2];
 
 /// Chords from its middle to the rim, at most: what is further off is another part of it.
 const REACH: f64 = 0.75;
@@ -55,15 +61,29 @@ impl<S: LevelSet> Facing<'_, S> {
         let chord = b - a;
         let length = chord.norm();
         let sum = outward_normal(self.solid, &a) + outward_normal(self.solid, &b);
-        let left = sum.cross(&chord).try_normalize(0.0)?;
-        let outward = length * chord.cross(&left).normalize();
+        let left = length * sum.cross(&chord).try_normalize(0.0)?;
+        let outward = chord.cross(&left).normalize() * length;
         let place = a + share * chord;
-        let surface = |aside: f64| self.on_surface(place + aside * length * left, outward);
+        TURNS.into_iter().find_map(|turn| {
+            let (sin, cos) = turn.sin_cos();
+            let (left, outward) = (cos * left + sin * outward, cos * outward - sin * left);
+            let x = self.across(&place, &left, outward)?;
+            ((x - place).norm() <= REACH * length).then_some(x)
+        })
+    }
+
+    /// The point of the rim near a place, between surface points to its left and its right.
+    fn across(
+        &self,
+        place: &Vector3<f64>,
+        left: &Vector3<f64>,
+        outward: Vector3<f64>,
+    ) -> Option<Vector3<f64>> {
+        let surface = |aside: f64| self.on_surface(place + aside * left, outward);
         ASIDE.into_iter().find_map(|aside| {
             let [front, back] = [surface(aside)?, surface(-aside)?];
             let is_between = self.away(&front) < 0.0 && self.away(&back) >= 0.0;
-            let x = is_between.then(|| self.crossing([front, back])).flatten()?;
-            ((x - place).norm() <= REACH * length).then_some(x)
+            is_between.then(|| self.crossing([front, back])).flatten()
         })
     }
 
