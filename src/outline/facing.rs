@@ -19,6 +19,9 @@ const ASIDE: [f64; 4] = [1.0 / 32.0, 1.0 / 8.0, 0.5, 1.0];
 /// on edges the normal may be that of either side, or none between.
 const TURNS: [f64; 5] = [0.0, FRAC_PI_4, -FRAC_PI_4, FRAC_PI_2, -FRAC_PI_2];
 
+/// How far from 1 the level is at points of the surface.
+const ON_SURFACE: f64 = 1e-6;
+
 /// Chords from its middle to the rim, at most: what is further off is another part of it.
 const REACH: f64 = 0.75;
 
@@ -40,18 +43,19 @@ impl<S: LevelSet> Facing<'_, S> {
     }
 
     /// The point of the rim between a surface point that faces the camera and one that does not.
-    /// Where an edge lies between them, a point of the edge; none if no point of the surface is
-    /// found there.
-    pub fn crossing(&self, [front, back]: [Vector3<f64>; 2]) -> Option<Vector3<f64>> {
+    /// Where an edge lies between them, a point of the edge; at a blade, if no point of the surface
+    /// is found there, one within it.
+    pub fn crossing(&self, [front, back]: [Vector3<f64>; 2]) -> Vector3<f64> {
         let chord = back - front;
         let reach = chord.norm();
         let sum = outward_normal(self.solid, &front) + outward_normal(self.solid, &back);
         let across = sum - chord * (sum.dot(&chord) / chord.norm_squared());
-        let outward = across.try_normalize(0.0)?;
-        let place = |share: f64| front + share * chord;
-        let surface = |share: f64| self.on_surface(place(share), reach * outward);
-        let away = |share: f64| self.away(&surface(share).unwrap_or(place(share)));
-        surface(increasing_root(away, [0.0, 1.0]))
+        let Some(outward) = across.try_normalize(0.0) else { return front };
+        let surface = |share: f64| {
+            let x = front + share * chord;
+            self.on_surface(x, reach * outward).unwrap_or(x)
+        };
+        surface(increasing_root(|share| self.away(&surface(share)), [0.0, 1.0]))
     }
 
     /// The point of the rim beside a place on the chord between two points of it, if it is found.
@@ -83,7 +87,8 @@ impl<S: LevelSet> Facing<'_, S> {
         ASIDE.into_iter().find_map(|aside| {
             let [front, back] = [surface(aside)?, surface(-aside)?];
             let is_between = self.away(&front) < 0.0 && self.away(&back) >= 0.0;
-            is_between.then(|| self.crossing([front, back])).flatten()
+            let x = is_between.then(|| self.crossing([front, back]))?;
+            ((self.solid.level(x.into()) - 1.0).abs() < ON_SURFACE).then_some(x)
         })
     }
 

@@ -7,13 +7,13 @@ use rayon::prelude::*;
 use super::silhouette::signed_area;
 
 /// Most pixels from a vertex to the next where rays are cast.
-const STEP: f64 = 1.5;
+const STEP: f64 = 0.75;
 
 /// Pixels to either side of the boundary at which one ray must hit and one must miss.
-const ASIDE: f64 = 0.2;
+const ASIDE: f64 = 0.1;
 
 /// Steps of that length in which the boundary is looked for where they do not.
-const STEPS: i32 = 12;
+const STEPS: i32 = 20;
 
 /// Halvings of a step: to a thousandth of a pixel.
 const HALVINGS: u32 = 8;

@@ -34,7 +34,7 @@ pub(super) fn trace<S: LevelSet + Sync>(
     let curve = |edges: Vec<[u32; 2]>| {
         let ends = |edge: [u32; 2]| edge.map(|i| mesh.vertices()[i as usize]);
         let mut points: Vec<Vector3<f64>> =
-            edges.into_par_iter().filter_map(|edge| facing.crossing(ends(edge))).collect();
+            edges.into_par_iter().map(|edge| facing.crossing(ends(edge))).collect();
         points.dedup_by(|a, b| (*a - *b).norm() <= same);
         refined(facing, &points, &is_coarse)
     };
