@@ -58,7 +58,7 @@ fn contour_writes_the_outline_in_json() {
     let rim = &document["rim"][0];
     // A point a pixel at least.
     let count = rim["points"].as_array().unwrap().len();
-    assert!(count as f64 > std::f64::consts::TAU * radius, "{count}");
+    assert!(count as f64 > 0.99 * std::f64::consts::TAU * radius, "{count}");
     assert_eq!(rim["hidden"].as_array().unwrap().len(), count);
     // The circle on the sphere: 1 m off, (1 - 0.1^2) m deep.
     assert!((rim["points"][3][2].as_f64().unwrap() - 0.99).abs() < 1e-14);
