@@ -71,7 +71,7 @@ fn random_solid(scene: &mut Scene, seed: u64) -> Deformed<Shape> {
         Deformation::new(Twist::new(line(0.0, scene.uniform(-1.2, 1.2) / half.z))),
         Deformation::new(bend.expect("a bend")),
     ];
-    let deformed = (seed % 3 == 0).then(|| Deformed::new(shape, Chain::new(stages)).ok());
+    let deformed = seed.is_multiple_of(3).then(|| Deformed::new(shape, Chain::new(stages)).ok());
     deformed.flatten().unwrap_or(Deformed::plain(shape))
 }
 

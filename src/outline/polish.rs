@@ -115,7 +115,8 @@ mod tests {
     fn what_is_right_or_too_thin_to_tell_is_left() {
         let square = vec![[0.0, 0.0], [9.0, 0.0], [9.0, 9.0], [0.0, 9.0]];
         let is_square = |pixel: [f64; 2]| pixel.iter().all(|x| (0.0..=9.0).contains(x));
-        assert_eq!(polished(&[square.clone()], is_square), [square.clone()]);
-        assert_eq!(polished(&[square.clone()], |_| false), [square]);
+        let squares = [square];
+        assert_eq!(polished(&squares, is_square), squares);
+        assert_eq!(polished(&squares, |_| false), squares);
     }
 }
