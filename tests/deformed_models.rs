@@ -67,12 +67,7 @@ fn the_table_names_the_deformations() {
 
 #[test]
 fn what_takes_plain_models_refuses_deformed_ones() {
-    let camera = r#"{"fx": 500, "fy": 500, "cx": 320, "cy": 240, "width": 640, "height": 480}"#;
-    let folder = folder();
-    std::fs::write(folder.path().join("camera.json"), camera).expect("a file");
-    let arguments =
-        ["overlay", "ribbon.json", "--camera", "camera.json", "--image", "p.png", "-o", "o.png"];
-    let output = superquadric(&folder, &arguments);
+    let output = superquadric(&folder(), &["export", "ribbon.json", "--to", "pov", "-o", "o.pov"]);
     let message = String::from_utf8(output.stderr).expect("text");
     assert_eq!(output.status.code(), Some(2));
     assert!(message.contains("without deformations"), "{message}");

@@ -56,8 +56,10 @@ fn contour_writes_the_outline_in_json() {
     let area = document["area"].as_f64().unwrap();
     assert!((area / (std::f64::consts::PI * radius * radius) - 1.0).abs() < 5e-4);
     let rim = &document["rim"][0];
-    assert_eq!(rim["points"].as_array().unwrap().len(), polygon.len());
-    assert_eq!(rim["hidden"].as_array().unwrap().len(), polygon.len());
+    // A point a pixel at least.
+    let count = rim["points"].as_array().unwrap().len();
+    assert!(count as f64 > 0.99 * std::f64::consts::TAU * radius, "{count}");
+    assert_eq!(rim["hidden"].as_array().unwrap().len(), count);
     // The circle on the sphere: 1 m off, (1 - 0.1^2) m deep.
     assert!((rim["points"][3][2].as_f64().unwrap() - 0.99).abs() < 1e-14);
 }
@@ -116,6 +118,39 @@ fn contour_of_an_orthographic_camera_is_in_pixels_to_a_unit() {
         assert_eq!(output.status.code(), Some(2), "{message}");
         assert!(message.contains(expected), "{message}");
     }
+}
+
+const SCENE: &str = r#"{
+    "solids": [
+        {"solid": {"shape": {"family": "superellipsoid", "size": [0.1, 0.1, 0.1],
+            "exponents": [1, 1]}, "pose": {"translation": [0.25, 0, 1]}}},
+        {"solid": {"difference": [
+            {"shape": {"family": "superellipsoid", "size": [0.3, 0.2, 0.2],
+                "exponents": [0.2, 0.2]}, "pose": {"translation": [0, 0, 2]}},
+            {"shape": {"family": "superellipsoid", "size": [0.1, 0.1, 0.5],
+                "exponents": [0.2, 1]}, "pose": {"translation": [0, 0, 2]}}]}}],
+    "camera": {"kind": "pinhole", "fx": 500, "fy": 500, "cx": 319.5, "cy": 239.5,
+        "width": 640, "height": 480}}"#;
+
+#[test]
+fn contour_of_a_scene_is_that_of_all_its_solids_before_its_own_camera() {
+    let folder = folder();
+    fs::write(folder.path().join("scene.json"), SCENE).expect("a written file");
+    let output = run(folder.path(), &["contour", "scene.json", "-o", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let document: Value = serde_json::from_slice(&output.stdout).expect("JSON on stdout");
+    let schema: Value = serde_json::from_str(SCHEMA).expect("a schema in JSON");
+    assert!(jsonschema::validator_for(&schema).expect("a schema").is_valid(&document));
+    // The block joined with the ball that hides a corner of it, and the hole through it.
+    assert_eq!(document["contour"].as_array().map(Vec::len), Some(2));
+    let ball = &document["rim"][0]["hidden"].as_array().unwrap();
+    assert!(ball.iter().all(|flag| *flag == Value::Bool(false)));
+    let flags = document["rim"].as_array().unwrap()[1..].iter();
+    let hidden = flags.flat_map(|curve| curve["hidden"].as_array().unwrap());
+    let count = hidden.filter(|flag| **flag == Value::Bool(true)).count();
+    assert!(count > 20, "{count}");
+    let output = run(folder.path(), &["contour", "model.json", "-o", "-"]);
+    assert_eq!(output.status.code(), Some(2));
 }
 
 #[test]
@@ -208,6 +243,56 @@ fn overlay_draws_the_outline_on_its_pixels_and_leaves_the_rest() {
         let coloured =
             pixels.iter().filter(|[red, _, blue]| *blue > red.saturating_add(60)).count();
         assert!(coloured > 500, "{coloured} pixels of points and scale within the model");
+    }
+}
+
+const PARALLEL: &str = r#"{"model": "orthographic", "scale": [300, 300], "origin": [320, 240],
+    "width": 640, "height": 480}"#;
+
+#[test]
+fn overlay_draws_every_family_and_deformed_models_and_scenes_before_both_cameras() {
+    let folder = folder();
+    let path = |name: &str| folder.path().join(name);
+    let pose = r#""pose": {"translation": [0, 0, 1], "euler_zyz": [0.3, 1.1, 0]}"#;
+    let bend =
+        r#""deformations": [{"kind": "bend", "rate": 2, "center": 0, "range": [-0.1, 0.1]}]"#;
+    let models = [
+        r#""family": "supertoroid", "size": [0.05, 0.05, 0.04], "exponents": [0.6, 1], "ring": 2"#,
+        r#""family": "superhyperboloid_one_sheet", "size": [0.05, 0.05, 0.1],
+            "exponents": [0.6, 1], "clip": 0.15"#,
+        r#""family": "superhyperboloid_two_sheets", "size": [0.05, 0.05, 0.1],
+            "exponents": [0.6, 1], "clip": 0.15"#,
+        r#""family": "three_exponent", "size": [0.1, 0.1, 0.15], "exponents": [2, 4, 8]"#,
+        r#""family": "superellipsoid", "size": [0.1, 0.1, 0.15], "exponents": [1, 2.6]"#,
+    ];
+    let plain = models.map(|shape| format!("{{\"shape\": {{{shape}}}, {pose}}}"));
+    let bent = models.map(|shape| format!("{{\"shape\": {{{shape}}}, {bend}, {pose}}}"));
+    write_photo(&path("photo.png"), [640, 480], BitDepth::Eight);
+    fs::write(path("parallel.json"), PARALLEL).unwrap();
+    for model in plain.iter().chain(&bent[..2]).chain([&SCENE.to_owned()]) {
+        fs::write(path("model.json"), model).unwrap();
+        for camera in ["camera.json", "parallel.json"] {
+            let view = ["model.json", "--camera", camera];
+            let drawn = run(
+                folder.path(),
+                &[&["overlay"], &view[..], &["--image", "photo.png", "-o", "out.png"]].concat(),
+            );
+            let message = String::from_utf8_lossy(&drawn.stderr);
+            assert_eq!(drawn.status.code(), Some(0), "{message} {model}");
+            let (_, pixels) = read_picture(&path("out.png"));
+            let outline = run(folder.path(), &[&["contour"], &view[..], &["-o", "-"]].concat());
+            let outline: Value = serde_json::from_slice(&outline.stdout).unwrap();
+            let outline = outline["contour"].as_array().unwrap().iter();
+            let on_line = outline.flat_map(|polygon| polygon.as_array().unwrap()).map(|pixel| {
+                let [u, v] = [0, 1].map(|k| pixel[k].as_f64().unwrap().round() as usize);
+                let [red, _, blue] = pixels[v * 640 + u];
+                red > blue
+            });
+            let (count, yellow) =
+                on_line.fold((0, 0), |(count, is), on| (count + 1, is + i32::from(on)));
+            assert!(yellow * 10 > count * 8, "{yellow} of {count} {camera} {model}");
+            assert!(pixels.contains(&[90; 3]));
+        }
     }
 }
 

@@ -22,6 +22,8 @@ __all__ = [
     "FitError",
     "ImageError",
     "ModelError",
+    "OrthographicCamera",
+    "RimCurve",
     "Scene",
     "Score",
     "Shape",
@@ -35,13 +37,16 @@ __all__ = [
     "ViewError",
     "__version__",
     "_evaluate_suite",
+    "axes",
     "contour",
     "export_model",
     "fit",
     "import_models",
+    "load_camera",
     "read",
     "read_depth",
     "read_mesh_model",
+    "residual",
     "rim",
     "score",
     "wireframe",
@@ -453,11 +458,38 @@ class Camera:
     def __ne__(self, other: object, /) -> bool: ...
 
 @final
+class OrthographicCamera:
+    def __new__(
+        cls,
+        scale: tuple[float, float] | list[float],
+        origin: tuple[float, float] | list[float],
+        width: int,
+        height: int,
+    ) -> OrthographicCamera: ...
+    @property
+    def scale(self) -> list[float]: ...
+    @property
+    def origin(self) -> list[float]: ...
+    @property
+    def width(self) -> int: ...
+    @property
+    def height(self) -> int: ...
+    def project(self, points: ArrayLike) -> NDArray[np.float64]: ...
+
+@final
+class RimCurve:
+    @property
+    def points(self) -> NDArray[np.float64]: ...
+    @property
+    def hidden(self) -> NDArray[np.bool_]: ...
+    def runs(self, hidden: bool) -> list[NDArray[np.float64]]: ...
+
+@final
 class Contour:
     @property
-    def polygon(self) -> NDArray[np.float64]: ...
+    def polygons(self) -> list[NDArray[np.float64]]: ...
     @property
-    def rim(self) -> NDArray[np.float64]: ...
+    def rim(self) -> list[RimCurve]: ...
     @property
     def area(self) -> float: ...
     @property
@@ -486,11 +518,17 @@ def _evaluate_suite(
     threads: int | None = None,
     on_scene: Callable[[int, int], object] | None = None,
 ) -> None: ...
-def contour(model: Superellipsoid | Fit, camera: Camera) -> Contour: ...
+
+_Solid = Superellipsoid | Shape | Fit | list[Superellipsoid | Shape | Fit]
+_AnyCamera = Camera | OrthographicCamera
+
+def axes(model: _Solid) -> NDArray[np.float64] | None: ...
+def contour(model: _Solid, camera: _AnyCamera) -> Contour: ...
 def export_model(
     model: Superellipsoid | Shape | Fit,
     to: Literal["vtk", "ovito", "liggghts", "lammps", "mercury", "pov", "ems", "supercompose"],
 ) -> str: ...
+def load_camera(path: str | os.PathLike[str]) -> _AnyCamera: ...
 def import_models(
     text: str,
     source: Literal["ovito", "liggghts", "lammps", "mercury", "ems", "supercompose"],
@@ -528,12 +566,13 @@ def read_depth(
 ) -> DepthMap: ...
 @overload
 def rim(
-    model: Superellipsoid | Fit, *, centre: ArrayLike, direction: None = None, n: int = 200
-) -> NDArray[np.float64]: ...
+    model: _Solid, *, centre: ArrayLike, direction: None = None, n: int = 200
+) -> list[RimCurve]: ...
 @overload
 def rim(
-    model: Superellipsoid | Fit, *, centre: None = None, direction: ArrayLike, n: int = 200
-) -> NDArray[np.float64]: ...
+    model: _Solid, *, centre: None = None, direction: ArrayLike, n: int = 200
+) -> list[RimCurve]: ...
+def residual(model: _Solid, points: ArrayLike) -> NDArray[np.float64]: ...
 def score(
     truth: Superellipsoid | Fit,
     found: Superellipsoid | Fit,
@@ -543,7 +582,7 @@ def score(
     seed: int = 0,
 ) -> Score: ...
 def wireframe(
-    model: Superellipsoid | Fit, camera: Camera
+    model: _Solid, camera: _AnyCamera
 ) -> tuple[list[NDArray[np.float64]], list[NDArray[np.float64]]]: ...
 def write_mesh(
     model: Superellipsoid | Shape | Fit, path: str | os.PathLike[str], *, resolution: int = 32

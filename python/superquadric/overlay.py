@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import importlib
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._core import ArrayError, Camera, Fit, Superellipsoid, contour, wireframe
+from ._core import ArrayError, axes, contour, residual, wireframe
+
+if TYPE_CHECKING:
+    from ._core import _AnyCamera, _Solid
 
 __all__ = ["MissingExtraError", "draw"]
 
@@ -17,11 +20,12 @@ Color = tuple[int, int, int]
 CONTOUR: Color = (0, 225, 255)
 VISIBLE: Color = (255, 255, 255)
 HIDDEN: Color = (255, 255, 255)
+RIM: Color = (0, 150, 255)
 AXES: tuple[Color, Color, Color] = ((70, 70, 255), (70, 220, 70), (255, 140, 90))
 SEAM: Color = (0, 0, 0)
 
-AXIS_REACH = 1.3
-"""How far the axes reach, in semi-axes."""
+DASH = 4
+"""Points of the hidden rim that are drawn, and as many that are not."""
 
 SUBPIXEL_BITS = 4
 """Bits of a pixel's fraction that OpenCV draws lines with."""
@@ -36,19 +40,22 @@ class MissingExtraError(ImportError):
 
 def draw(
     image: NDArray[np.uint8],
-    model: Superellipsoid | Fit,
-    camera: Camera,
+    model: _Solid,
+    camera: _AnyCamera,
     *,
     points: ArrayLike | None = None,
 ) -> NDArray[np.uint8]:
-    """Draws a model over a picture: outline, visible and hidden lines, axes, coloured points.
+    """Draws a model over a picture: outline, rim, lines, axes, coloured points.
+
+    Of rim and lines what is hidden is faint, the rim dashed.
 
     Args:
         image: grey or blue, green, red as `cv2.imread` gives it, of shape (height, width[, 3]).
-        model: the model or the fit, in the camera's frame.
-        camera: the camera that took the picture.
-        points: points of the camera's frame, of shape (n, 3), coloured by their radial distance:
-            blue within the model, white on it, red outside.
+        model: the model of any family, the fit, or a list of them, in the camera's frame.
+        camera: the camera that took the picture, pinhole or orthographic.
+        points: points of the camera's frame, of shape (n, 3), coloured by their distance, radial
+            from superellipsoids with exponents up to 2: blue within the model, white on it, red
+            outside.
 
     Returns:
         A new picture of shape (height, width, 3).
@@ -59,15 +66,20 @@ def draw(
         MissingExtraError: if OpenCV cannot be imported.
     """
     canvas = _colored(image, camera)
-    solid = model.model if isinstance(model, Fit) else model
-    outline = contour(solid, camera).polygon
-    visible, hidden = wireframe(solid, camera)
+    outline = contour(model, camera)
+    visible, hidden = wireframe(model, camera)
     if points is not None:
-        _draw_points(canvas, np.asarray(points, dtype=np.float64), solid, camera)
+        _draw_points(canvas, np.asarray(points, dtype=np.float64), model, camera)
     _draw_faintly(canvas, hidden, HIDDEN, opacity=0.25)
     _draw_faintly(canvas, visible, VISIBLE, opacity=0.6)
-    _draw_lines(canvas, [outline], CONTOUR, closed=True, thickness=2)
-    _draw_axes(canvas, solid, camera)
+    rims = {
+        is_hidden: [camera.project(run) for curve in outline.rim for run in curve.runs(is_hidden)]
+        for is_hidden in (True, False)
+    }
+    _draw_faintly(canvas, _dashes(rims[True]), RIM, opacity=0.6)
+    _draw_lines(canvas, rims[False], RIM, closed=False)
+    _draw_lines(canvas, outline.polygons, CONTOUR, closed=True, thickness=2)
+    _draw_axes(canvas, model, camera)
     return canvas
 
 
@@ -80,7 +92,7 @@ def _opencv() -> Any:
         ) from error
 
 
-def _colored(image: NDArray[np.uint8], camera: Camera) -> NDArray[np.uint8]:
+def _colored(image: NDArray[np.uint8], camera: _AnyCamera) -> NDArray[np.uint8]:
     """A copy in three channels."""
     image = np.asarray(image)
     size = (camera.height, camera.width)
@@ -102,6 +114,12 @@ def _draw_faintly(
     _opencv().addWeighted(layer, opacity, canvas, 1 - opacity, 0, canvas)
 
 
+def _dashes(lines: list[NDArray[np.float64]]) -> list[NDArray[np.float64]]:
+    """Every other piece of lines whose points are about a pixel apart."""
+    starts = [(line, start) for line in lines for start in range(0, len(line) - 1, 2 * DASH)]
+    return [line[start : start + DASH + 1] for line, start in starts]
+
+
 def _draw_lines(
     canvas: NDArray[np.uint8],
     lines: list[NDArray[np.float64]],
@@ -118,24 +136,20 @@ def _draw_lines(
         cv2.polylines(canvas, fixed, closed, ink, width, cv2.LINE_AA, SUBPIXEL_BITS)
 
 
-def _draw_axes(canvas: NDArray[np.uint8], model: Superellipsoid, camera: Camera) -> None:
+def _draw_axes(canvas: NDArray[np.uint8], model: _Solid, camera: _AnyCamera) -> None:
     """The axes x, y, z in red, green and blue, where they are in front of the camera."""
-    cv2 = _opencv()
-    matrix = np.array([[camera.fx, 0, camera.cx], [0, camera.fy, camera.cy], [0, 0, 1]])
-    for axis, color in enumerate(AXES):
-        tip = model.translation + AXIS_REACH * model.size[axis] * model.rotation[:, axis]
-        ends = np.stack([model.translation, tip])
-        if (ends[:, 2] > 0).all():
-            none = np.zeros(3)
-            pixels, _ = cv2.projectPoints(ends, none, none, matrix, np.array(camera.distortion))
-            _draw_lines(canvas, [pixels[:, 0]], color, closed=False, thickness=2)
+    ends = axes(model)
+    if ends is None:
+        return
+    for line, color in zip(ends, AXES, strict=True):
+        _draw_lines(canvas, [camera.project(line)], color, closed=False, thickness=2)
 
 
 def _draw_points(
-    canvas: NDArray[np.uint8], points: NDArray[np.float64], model: Superellipsoid, camera: Camera
+    canvas: NDArray[np.uint8], points: NDArray[np.float64], model: _Solid, camera: _AnyCamera
 ) -> None:
-    """Points coloured by their radial distance (JLS Eq. 2.43), and the scale."""
-    distances = model.radial_distance(points)
+    """Points coloured by their distance, and the scale."""
+    distances = residual(model, points)
     pixels = camera.project(points)
     is_seen = np.isfinite(pixels).all(axis=-1) & np.isfinite(distances)
     is_seen &= (np.abs(np.nan_to_num(pixels, nan=FARTHEST)) < FARTHEST).all(axis=-1)

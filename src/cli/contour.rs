@@ -1,45 +1,45 @@
-//! `superquadric contour`: a model and a camera in, the outline out.
+//! `superquadric contour`: solids and a camera in, the outline out.
 
 use super::DONE;
 use super::args::{ContourArgs, ViewArgs};
 use super::error::CliError;
-use super::input::{is_stream, name, read_model, read_primitive};
+use super::input::{is_stream, name, read_scene};
 use super::output::write_text;
-use crate::model::Model;
 use crate::outline::{ContourFormat, Outline};
-use crate::solid::Primitive;
-use crate::view::{AnyCamera, Camera, model_in_camera, read_camera_from_world};
+use crate::pose::Pose;
+use crate::solid::Tree;
+use crate::view::{AnyCamera, read_camera_from_world};
 
 pub(super) fn run(args: &ContourArgs) -> Result<u8, CliError> {
     let format = match is_stream(&args.output) {
         true => ContourFormat::Json,
         false => ContourFormat::from_extension(&args.output)?,
     };
-    let camera = AnyCamera::read(&args.view.camera)?;
-    let primitive = read_primitive(&args.view.model)?;
-    let primitive_camera = match &args.view.pose {
-        Some(pose) => {
-            let pose = read_camera_from_world(pose)?.after(&primitive.pose);
-            Primitive { pose, ..primitive }
-        }
-        None => primitive,
-    };
-    let outline = match &camera {
-        AnyCamera::Pinhole(camera) => Outline::of(&primitive_camera, camera),
-        AnyCamera::Orthographic(camera) => Outline::of(&primitive_camera, camera),
-    }
-    .map_err(|source| CliError::Rim { name: name(&args.view.model), source })?;
+    let View { solid_camera, camera, .. } = View::read(&args.view)?;
+    let outline = Outline::of(&solid_camera, &camera)
+        .map_err(|source| CliError::Rim { name: name(&args.view.model), source })?;
     write_text(&args.output, &format.text(&outline, camera.size()))?;
     Ok(DONE)
 }
 
-/// The model in the camera's frame, and the camera.
-pub(super) fn read_view(args: &ViewArgs) -> Result<(Model, Camera), CliError> {
-    let model = read_model(&args.model)?;
-    let camera = Camera::read(&args.camera)?;
-    let model_camera = match &args.pose {
-        Some(pose) => model_in_camera(&read_camera_from_world(pose)?, &model),
-        None => model,
-    };
-    Ok((model_camera, camera))
+/// A camera and what is before it, in its frame.
+pub(super) struct View {
+    pub solid_camera: Tree,
+    pub camera_from_world: Pose,
+    pub camera: AnyCamera,
+}
+
+impl View {
+    /// Reads what was named; the scene's own camera and pose where no others were.
+    pub fn read(args: &ViewArgs) -> Result<Self, CliError> {
+        let typed = args.camera.as_ref().map(AnyCamera::read).transpose()?;
+        let scene = read_scene(&args.model)?;
+        let camera = typed.or(scene.camera).ok_or_else(|| CliError::NoCamera(name(&args.model)))?;
+        let camera_from_world = match &args.pose {
+            Some(pose) => read_camera_from_world(pose)?,
+            None => scene.camera_from_world,
+        };
+        let solid_camera = scene.solid().moved(&camera_from_world);
+        Ok(Self { solid_camera, camera_from_world, camera })
+    }
 }

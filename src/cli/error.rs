@@ -39,6 +39,8 @@ pub(super) enum CliError {
     Image(#[from] ImageError),
     #[error("{0}: has no camera; give one as --camera")]
     NoCamera(String),
+    #[error("--depth needs a pinhole camera, not an orthographic one")]
+    DepthOfParallel,
     #[error("--support auto needs --camera or --viewpoint: which side is up?")]
     NoUpside,
     #[error("{0}: no plane found that the object could stand on; give it as --support A,B,C,D")]

@@ -8,12 +8,8 @@ use super::error::CliError;
 use crate::cloud::{self, PointCloud};
 use crate::model::Model;
 use crate::ray::Scene;
-use crate::report::{
-    DocumentError, any_model_from_json, model_from_json, primitive_from_json, scene_from_json,
-    scene_from_toml,
-};
+use crate::report::{DocumentError, any_model_from_json, scene_from_json, scene_from_toml};
 use crate::shape::Shape;
-use crate::solid::Primitive;
 use crate::surface::format::MeshFormat;
 
 /// Most bytes that a model's document may have: a fit has less than a thousand.
@@ -38,19 +34,9 @@ pub(super) fn read_cloud(path: &Path) -> Result<PointCloud, CliError> {
     }
 }
 
-/// The superellipsoid in a JSON file or on stdin.
-pub(super) fn read_model(path: &Path) -> Result<Model, CliError> {
-    read_document(path, model_from_json)
-}
-
 /// The model of any family in a JSON file or on stdin.
 pub(super) fn read_any_model(path: &Path) -> Result<Model<Shape>, CliError> {
     read_document(path, any_model_from_json)
-}
-
-/// The model of any family in a JSON file or on stdin, with its deformations.
-pub(super) fn read_primitive(path: &Path) -> Result<Primitive<Shape>, CliError> {
-    read_document(path, primitive_from_json)
 }
 
 /// The scene, or solid alone, in a JSON or TOML file, or in JSON on stdin.

@@ -27,6 +27,11 @@ pub struct Deformed<S = Superellipsoid> {
 }
 
 impl<S> Deformed<S> {
+    /// A shape that nothing deforms.
+    pub fn plain(shape: S) -> Self {
+        Self { shape, chain: Chain::default() }
+    }
+
     /// The shape before the deformations.
     pub fn shape(&self) -> &S {
         &self.shape

@@ -2,20 +2,38 @@
 
 use i_overlay::core::fill_rule::FillRule;
 use i_overlay::float::simplify::SimplifyShape;
-use nalgebra::Vector3;
+use nalgebra::{Vector2, Vector3};
 
-use super::rim_curve::{RimCurve, rim_curves};
-use crate::model::Model;
-use crate::shape::{Shape, Superellipsoid};
-use crate::solid::Primitive;
-use crate::surface::Resolution;
+use super::part::{Part, bounds, parts};
+use super::polish::polished;
+use super::rim_curve::{RimCurve, check};
+use super::spacing::length;
+use super::visibility::Visibility;
+use crate::pose::Pose;
+use crate::ray::Rays;
+use crate::solid::Tree;
 use crate::view::{Contour, Projection, RimError, Viewpoint};
 
-/// Segments of the mesh on which the rim is looked for.
-const SEGMENTS: usize = 64;
+/// Most pixels by which a chord may be off the rim's image.
+const TOLERANCE: f64 = 0.02;
 
-/// Polygons of less than this share of the silhouette's area are specks of rounding.
-const SPECK: f64 = 1e-7;
+/// Most pixels of a chord: what bends to either side of it shows.
+const LONGEST: f64 = 8.0;
+
+/// Chords so short, in pixels, are left as they are.
+const SHORTEST: f64 = 0.01;
+
+/// Pixels to a segment along each side of the meshes on which the rim is looked for, and fewest
+/// and most of these.
+const PIXELS_A_SEGMENT: f64 = 6.0;
+const SEGMENTS: [f64; 2] = [32.0, 128.0];
+
+/// Pixels from a point of the rim to the next, and fewest and most points of a curve.
+const SPACING: f64 = 1.0;
+const POINTS: [f64; 2] = [128.0, 16_384.0];
+
+/// Polygons besides the greatest that are no wider, in pixels, are specks of what chords are off.
+const SPECK: f64 = 0.1;
 
 /// What a camera sees of a solid's edge.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,46 +43,51 @@ pub struct Outline {
 }
 
 impl Outline {
-    /// The outline of a deformed shape of any family, given in the camera's frame.
+    /// The outline of a solid, given in the camera's frame.
     ///
     /// A superellipsoid's with exponents up to 2 is its [`Contour`]. Any other's has vertices
-    /// that are solved for, some 250 and more around the solid; its chords may be off by a few
-    /// thousandths of the solid's extent where the surface is bent sharply.
+    /// that are solved for, and chords no more than some 0.02 pixels off; where rays on either
+    /// side tell otherwise, as at blades of exponents above 2, those decide, to 0.1 pixels. That
+    /// of a union is the boundary of what its parts cover. The rim has a point at least every pixel, or, of small
+    /// solids, 128 of them.
     ///
     /// # Errors
     /// If the camera is not outside the solid, or part of it is behind the camera or where the
     /// lens lets no ray through.
     pub fn of(
-        primitive_camera: &Primitive<Shape>,
-        camera: &impl Projection,
+        solid_camera: &Tree,
+        camera: &(impl Projection + Rays + Sync),
     ) -> Result<Self, RimError> {
-        match convex(primitive_camera) {
-            Some(model_camera) => Ok(Self::from(Contour::of(&model_camera, camera)?)),
-            None => Self::traced(primitive_camera, camera),
+        let viewpoint = camera.viewpoint(&Pose::identity());
+        check(solid_camera, &viewpoint)?;
+        let view = View { camera, viewpoint };
+        let (mut images, mut rim_camera) = (Vec::new(), Vec::new());
+        let ahead: Vec<Part<'_>> =
+            parts(solid_camera).into_iter().filter(|part| view.is_ahead(part)).collect();
+        let visibility = Visibility::new(solid_camera, bounds(&ahead), viewpoint);
+        for part in &ahead {
+            let curves = view.curves(part)?;
+            let has_none = curves.is_empty() && matches!(viewpoint, Viewpoint::At(_));
+            if has_none {
+                return Err(RimError::Inside);
+            }
+            for Curve { points, image } in curves {
+                let count = view.count(&points);
+                rim_camera.push(RimCurve::of(part, &points, &viewpoint, count, &visibility)?);
+                images.push(image);
+            }
         }
-    }
-
-    fn traced(
-        Primitive { deformed, pose }: &Primitive<Shape>,
-        camera: &impl Projection,
-    ) -> Result<Self, RimError> {
-        let viewpoint = camera.viewpoint(pose);
-        let resolution = Resolution::new(SEGMENTS).expect("a number that is a resolution");
-        let rim_camera: Vec<RimCurve> = rim_curves(deformed, &viewpoint, resolution)?
-            .into_iter()
-            .map(|RimCurve { points, is_hidden }| {
-                let points = points.iter().map(|x| pose.world_from_model(x)).collect();
-                RimCurve { points, is_hidden }
-            })
-            .collect();
-        if rim_camera.is_empty() && matches!(viewpoint, Viewpoint::At(_)) {
-            return Err(RimError::Inside);
+        if images.is_empty() {
+            return Err(RimError::Behind);
         }
-        let images = rim_camera
-            .iter()
-            .map(|curve| curve.points.iter().map(|x| pixel(x, camera)).collect())
-            .collect::<Result<Vec<Vec<[f64; 2]>>, RimError>>()?;
-        Ok(Self { polygons: covered(&images), rim_camera })
+        let is_convex = ahead.len() == 1 && ahead[0].convex.is_some();
+        if !is_convex {
+            let is_hit = |[column, row]: [f64; 2]| {
+                camera.ray(column, row).is_some_and(|ray| visibility.is_hit(&ray))
+            };
+            images = covered(&polished(&covered(&images), is_hit));
+        }
+        Ok(Self { polygons: images, rim_camera })
     }
 
     /// The boundary of the silhouette in pixels `[column, row]`: closed polygons, the last vertex
@@ -94,31 +117,83 @@ impl Outline {
     }
 }
 
-impl From<Contour> for Outline {
-    /// A convex solid hides nothing of its rim.
-    fn from(contour: Contour) -> Self {
-        let points = contour.rim_camera().to_vec();
-        let is_hidden = vec![false; points.len()];
-        Self {
-            polygons: vec![contour.polygon().to_vec()],
-            rim_camera: vec![RimCurve { points, is_hidden }],
+/// A curve of the rim in the camera's frame, and its image.
+struct Curve {
+    points: Vec<Vector3<f64>>,
+    image: Vec<[f64; 2]>,
+}
+
+/// A camera, and where it looks from in its own frame.
+struct View<'a, P> {
+    camera: &'a P,
+    viewpoint: Viewpoint,
+}
+
+impl<P: Projection + Sync> View<'_, P> {
+    /// Whether any of a part can be before the camera.
+    fn is_ahead(&self, part: &Part<'_>) -> bool {
+        match self.viewpoint {
+            Viewpoint::At(_) => part.bounds[1].z > 0.0,
+            Viewpoint::Along(_) => true,
         }
     }
-}
 
-/// The undeformed superellipsoid that is convex, if it is one.
-fn convex(primitive: &Primitive<Shape>) -> Option<Model> {
-    let Model { shape, pose } = primitive.undeformed()?;
-    let is_convex = |shape: &Superellipsoid| shape.exponents().iter().all(|e| *e <= 2.0);
-    match shape {
-        Shape::Superellipsoid(shape) if is_convex(&shape) => Some(Model { shape, pose }),
-        _ => None,
+    fn curves(&self, part: &Part<'_>) -> Result<Vec<Curve>, RimError> {
+        if let Some(model) = &part.convex {
+            let contour = Contour::of(model, self.camera)?;
+            let image = contour.polygon().to_vec();
+            return Ok(vec![Curve { points: contour.rim_camera().to_vec(), image }]);
+        }
+        let is_coarse = |points: &[Vector3<f64>; 3]| self.is_coarse(points);
+        let curves = part.trace(&self.viewpoint, self.segments(part), is_coarse);
+        let imaged = |points: Vec<Vector3<f64>>| {
+            let image = points.iter().map(|x| self.pixel(x)).collect::<Result<_, _>>()?;
+            Ok(Curve { points, image })
+        };
+        curves.into_iter().map(imaged).collect()
     }
-}
 
-fn pixel(x_camera: &Vector3<f64>, camera: &impl Projection) -> Result<[f64; 2], RimError> {
-    let undistorted = camera.project_undistorted(x_camera).ok_or(RimError::Behind)?;
-    camera.distort(undistorted).ok_or(RimError::BeyondLens)
+    fn pixel(&self, x_camera: &Vector3<f64>) -> Result<[f64; 2], RimError> {
+        let undistorted = self.camera.project_undistorted(x_camera).ok_or(RimError::Behind)?;
+        self.camera.distort(undistorted).ok_or(RimError::BeyondLens)
+    }
+
+    /// Whether the image of a chord `[start, beside the middle, end]` shows to be none of the
+    /// rim's.
+    fn is_coarse(&self, [a, middle, b]: &[Vector3<f64>; 3]) -> bool {
+        let [Ok(a), Ok(middle), Ok(b)] = [a, middle, b].map(|x| self.pixel(x).map(Vector2::from))
+        else {
+            return false;
+        };
+        let chord = b - a;
+        let length = chord.norm().max((middle - a).norm());
+        let off = chord.perp(&(middle - a)).abs() / length;
+        length > LONGEST || (length > SHORTEST && off > TOLERANCE)
+    }
+
+    /// Segments of the mesh of a part.
+    fn segments(&self, part: &Part<'_>) -> usize {
+        let [min, max] = part.bounds;
+        let pixels = (max - min).norm() * self.scale(&(0.5 * (min + max)));
+        let [fewest, most] = SEGMENTS;
+        2 * (pixels / PIXELS_A_SEGMENT / 2.0).clamp(0.5 * fewest, 0.5 * most) as usize
+    }
+
+    /// Points of a curve of the rim.
+    fn count(&self, curve: &[Vector3<f64>]) -> usize {
+        let greatest = curve.iter().map(|x| self.scale(x)).fold(0.0, f64::max);
+        (length(curve) * greatest / SPACING).clamp(POINTS[0], POINTS[1]) as usize
+    }
+
+    /// Pixels to a unit of length across the line of sight.
+    fn scale(&self, x_camera: &Vector3<f64>) -> f64 {
+        let [along_rows, along_columns] = self.camera.focal_lengths();
+        let focal = along_rows.max(along_columns);
+        match self.viewpoint {
+            Viewpoint::At(_) => focal / x_camera.z.abs(),
+            Viewpoint::Along(_) => focal,
+        }
+    }
 }
 
 /// The boundary of what the images of rims go around.
@@ -129,12 +204,20 @@ fn covered(images: &[Vec<[f64; 2]>]) -> Vec<Vec<[f64; 2]>> {
     let shapes = images.to_vec().simplify_shape_as::<i64>(FillRule::NonZero);
     let polygons: Vec<Vec<[f64; 2]>> = shapes.into_iter().flatten().collect();
     let greatest = polygons.iter().map(|polygon| signed_area(polygon).abs()).fold(0.0, f64::max);
-    let is_speck = |polygon: &[[f64; 2]]| signed_area(polygon).abs() < SPECK * greatest;
+    let is_speck = |polygon: &[[f64; 2]]| {
+        let area = signed_area(polygon).abs();
+        area < greatest && 2.0 * area < SPECK * perimeter(polygon)
+    };
     polygons.into_iter().filter(|polygon| !is_speck(polygon)).collect()
 }
 
+fn perimeter(polygon: &[[f64; 2]]) -> f64 {
+    let next = polygon.iter().cycle().skip(1);
+    polygon.iter().zip(next).map(|(a, b)| (b[0] - a[0]).hypot(b[1] - a[1])).sum()
+}
+
 /// Area of a polygon, negative one way around.
-fn signed_area(polygon: &[[f64; 2]]) -> f64 {
+pub(super) fn signed_area(polygon: &[[f64; 2]]) -> f64 {
     let Some(&[u0, v0]) = polygon.first() else { return 0.0 };
     // Seen from a vertex: nothing cancels far from the image's corner.
     let doubled = |[a, b]: [[f64; 2]; 2]| (a[0] - u0) * (b[1] - v0) - (b[0] - u0) * (a[1] - v0);

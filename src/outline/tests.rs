@@ -4,14 +4,14 @@ use nalgebra::Vector3;
 
 use super::*;
 use crate::deform::{Bend, Chain, Deformation, Deformed, Line, Taper, Twist};
+use crate::model::Model;
 use crate::pose::Pose;
 use crate::ray::{Hittable, Rays, SolidTarget, outward_normal};
 use crate::shape::{
-    Shape, Superellipsoid, SuperhyperboloidOneSheet, SuperhyperboloidTwoSheets, Supertoroid,
-    ThreeExponent,
+    LevelSet, Shape, Superellipsoid, SuperhyperboloidOneSheet, SuperhyperboloidTwoSheets,
+    Supertoroid, ThreeExponent,
 };
 use crate::solid::{Primitive, Tree};
-use crate::surface::Resolution;
 use crate::view::{Camera, Distortion, OrthographicCamera, Projection, Viewpoint};
 
 const WIDTH: u32 = 100;
@@ -99,9 +99,10 @@ fn place(polygons: &[Vec<[f64; 2]>], [u, v]: [f64; 2]) -> (bool, f64) {
     (is_inside, nearest)
 }
 
-fn assert_is_edge_of_mask(primitive: &Primitive<Shape>, camera: &(impl Projection + Rays)) {
-    let outline = Outline::of(primitive, camera).unwrap();
-    let target = SolidTarget::new(&Tree::from(primitive.clone()));
+fn assert_is_edge_of_mask(primitive: &Primitive<Shape>, camera: &(impl Projection + Rays + Sync)) {
+    let solid = Tree::from(primitive.clone());
+    let outline = Outline::of(&solid, camera).unwrap();
+    let target = SolidTarget::new(&solid);
     let mut seen = 0;
     for row in (0..HEIGHT).step_by(STRIDE).map(f64::from) {
         for column in (0..WIDTH).step_by(STRIDE).map(f64::from) {
@@ -137,12 +138,13 @@ fn outlines_are_the_edges_of_ray_cast_masks_of_both_cameras() {
 
 #[test]
 fn lines_of_sight_touch_smooth_solids_at_their_rims() {
-    for solid in solids(&smooth()) {
+    for deformed in solids(&smooth()) {
+        let solid = Tree::from(Primitive { deformed, pose: Pose::identity() });
         for viewpoint in [
             Viewpoint::At(Vector3::new(5.0, -2.0, 3.0)),
             Viewpoint::Along(Vector3::new(-0.3, 0.5, 0.8)),
         ] {
-            let curves = rim_curves(&solid, &viewpoint, Resolution::default()).unwrap();
+            let curves = rim_curves(&solid, &viewpoint, 200).unwrap();
             assert!(!curves.is_empty());
             for x in curves.iter().flat_map(|curve| &curve.points) {
                 let sight = match viewpoint {
@@ -151,8 +153,30 @@ fn lines_of_sight_touch_smooth_solids_at_their_rims() {
                 };
                 let off = sight.normalize().dot(&outward_normal(&solid, x)).abs();
                 assert!(off < 1e-9, "{off:e} at {x:?} of {solid:?}");
-                assert!((solid.inside_outside(x) - 1.0).abs() < 1e-9, "{x:?} of {solid:?}");
+                assert!((solid.level((*x).into()) - 1.0).abs() < 1e-9, "{x:?} of {solid:?}");
             }
+        }
+    }
+}
+
+#[test]
+fn points_of_traced_rims_are_evenly_spaced() {
+    for deformed in solids(&smooth()) {
+        let solid = Tree::from(Primitive { deformed, pose: Pose::identity() });
+        let viewpoint = Viewpoint::At(Vector3::new(5.0, -2.0, 3.0));
+        let curves = rim_curves(&solid, &viewpoint, 600).unwrap();
+        let count: usize = curves.iter().map(|curve| curve.points.len()).sum();
+        assert!(count.abs_diff(600) < curves.len() + 1, "{count}");
+        for RimCurve { points, is_hidden } in &curves {
+            assert_eq!(points.len(), is_hidden.len());
+            let next = points.iter().cycle().skip(1);
+            let steps: Vec<f64> = points.iter().zip(next).map(|(a, b)| (b - a).norm()).collect();
+            let mean = steps.iter().sum::<f64>() / steps.len() as f64;
+            // Chords across a sharp bend are shorter than the way around it.
+            assert!(
+                steps.iter().all(|step| *step < 1.05 * mean && *step > 0.7 * mean),
+                "{solid:?}"
+            );
         }
     }
 }
@@ -162,8 +186,7 @@ fn lines_of_sight_touch_smooth_solids_at_their_rims() {
 #[test]
 fn a_torus_has_a_hole_from_above_and_hides_its_inner_rim_edge_on() {
     let torus = Shape::from(Supertoroid::new([0.5; 3], [1.0; 2], 3.0).unwrap());
-    let deformed = Deformed::new(torus, Chain::default()).unwrap();
-    let above = Primitive { deformed: deformed.clone(), pose: Pose::identity() };
+    let above = Tree::from(Primitive::from(Model { shape: torus, pose: Pose::identity() }));
     let outline = Outline::of(&above, &parallel()).unwrap();
     assert_eq!(outline.polygons().len(), 2);
     // Between the radii 0.5 * (3 + 1) and 0.5 * (3 - 1).
@@ -172,7 +195,7 @@ fn a_torus_has_a_hole_from_above_and_hides_its_inner_rim_edge_on() {
     assert!(outline.rim_camera().iter().all(|curve| !curve.is_hidden.contains(&true)));
 
     let edge_on = Viewpoint::Along(Vector3::new(1.0, 0.0, 0.1));
-    let curves = rim_curves(&deformed, &edge_on, Resolution::default()).unwrap();
+    let curves = rim_curves(&above, &edge_on, 400).unwrap();
     let all = || curves.iter().flat_map(|curve| curve.points.iter().zip(&curve.is_hidden));
     // The hole is not seen through: of the inner side all is hidden, of the outer none.
     let (mut inner, mut outer) = (0, 0);

@@ -1,15 +1,16 @@
 //! `superquadric.contour` and `superquadric.rim`.
 
 use nalgebra::Vector3;
-use numpy::PyArray2;
+use numpy::{PyArray1, PyArray2};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
 use super::arrays::{Array, Doubles, Table, require_room, shaped, table};
+use super::camera::camera_of;
 use super::errors::ViewError;
-use super::solid::model_of;
-use super::view::PyCamera;
-use crate::view::{Contour, RimError, Viewpoint};
+use super::solid::solid_of;
+use crate::outline::{Outline, RimCurve, rim_curves};
+use crate::view::{RimError, Viewpoint};
 
 impl From<RimError> for PyErr {
     fn from(error: RimError) -> Self {
@@ -20,48 +21,49 @@ impl From<RimError> for PyErr {
 /// The occluding contour of a model: its outline as a camera sees it.
 ///
 /// Args:
-///     model: the model or the fit, in the camera's frame (x to the right, y down, z forward).
-///     camera: the camera.
+///     model: the model of any family, the fit, or a list of them that are seen together, in the
+///         camera's frame (x to the right, y down, z forward).
+///     camera: the camera, pinhole or orthographic.
 ///
 /// Returns:
-///     The outline, nowhere more than 0.01 pixels off.
+///     The outline: of a superellipsoid with exponents up to 2 nowhere more than 0.01 pixels off,
+///     of others some 0.02.
 ///
 /// Raises:
-///     ViewError: if an exponent is over 2, the camera is not outside the model, or the model
-///         reaches behind it or to where the lens lets no ray through.
+///     ViewError: if the camera is not outside the model, or the model reaches behind it or to
+///         where the lens lets no ray through.
 ///     TypeError: if the model is neither a model nor a fit.
 #[pyfunction]
 pub(super) fn contour(
     py: Python<'_>,
     model: &Bound<'_, PyAny>,
-    camera: &Bound<'_, PyCamera>,
+    camera: &Bound<'_, PyAny>,
 ) -> PyResult<PyContour> {
-    let (model, camera) = (model_of(model)?, camera.get().0);
-    Ok(PyContour(py.detach(|| Contour::of(&model, &camera))?))
+    let (solid, camera) = (solid_of(model)?, camera_of(camera)?);
+    Ok(PyContour(py.detach(|| Outline::of(&solid, &camera))?))
 }
 
 /// The outline of a model in an image; made by `contour`.
 #[pyclass(frozen, name = "Contour", module = "superquadric")]
-pub(super) struct PyContour(Contour);
+pub(super) struct PyContour(Outline);
 
 #[pymethods]
 impl PyContour {
-    /// Pixels (column, row) once around, float64 of shape (n, 2); the centre of the first pixel is
-    /// (0, 0), and they may lie beside the image.
+    /// The boundary of the silhouette: closed polygons of pixels (column, row), float64 of shape
+    /// (n, 2), those around holes the other way around. The centre of the first pixel is (0, 0),
+    /// and they may lie beside the image.
     #[getter]
-    fn polygon<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
-        let polygon = self.0.polygon();
-        shaped(py, polygon.as_flattened().to_vec(), &[polygon.len(), 2])
+    fn polygons<'py>(&self, py: Python<'py>) -> PyResult<Vec<Array<'py>>> {
+        pixel_arrays(py, self.0.polygons())
     }
 
-    /// The point of the rim, in the camera's frame, that is seen at each pixel of the polygon, of
-    /// shape (n, 3).
+    /// The rim, in the camera's frame: closed curves.
     #[getter]
-    fn rim<'py>(&self, py: Python<'py>) -> PyResult<Table<'py>> {
-        table(py, self.0.rim_camera().iter().map(|x| (*x).into()).collect())
+    fn rim(&self) -> Vec<PyRimCurve> {
+        self.0.rim_camera().iter().cloned().map(PyRimCurve).collect()
     }
 
-    /// Area of the silhouette, in square pixels.
+    /// Area of the silhouette without its holes, in square pixels.
     #[getter]
     fn area(&self) -> f64 {
         self.0.area()
@@ -75,46 +77,88 @@ impl PyContour {
     }
 
     fn __repr__(&self) -> String {
-        format!("<Contour of {} pixels, area={:.6}>", self.0.polygon().len(), self.0.area())
+        let count = self.0.polygons().len();
+        let polygons = if count == 1 { "polygon" } else { "polygons" };
+        format!("<Contour of {count} {polygons}, area={:.6}>", self.0.area())
+    }
+}
+
+/// A closed curve of a rim; made by `contour` and `rim`.
+#[pyclass(frozen, name = "RimCurve", module = "superquadric")]
+pub(super) struct PyRimCurve(RimCurve);
+
+#[pymethods]
+impl PyRimCurve {
+    /// Points once around, evenly spaced, of shape (n, 3); what faces the camera is to the left,
+    /// as seen from outside.
+    #[getter]
+    fn points<'py>(&self, py: Python<'py>) -> PyResult<Table<'py>> {
+        vectors(py, &self.0.points)
+    }
+
+    /// Whether the model hides each point: bool of shape (n,).
+    #[getter]
+    fn hidden<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<bool>> {
+        PyArray1::from_slice(py, &self.0.is_hidden)
+    }
+
+    /// The longest runs of neighbours that are all hidden, or all not, each with the point after
+    /// it: arrays of shape (n, 3).
+    fn runs<'py>(&self, py: Python<'py>, hidden: bool) -> PyResult<Vec<Table<'py>>> {
+        self.0.runs(hidden).iter().map(|run| vectors(py, run)).collect()
+    }
+
+    fn __repr__(&self) -> String {
+        let hidden = self.0.is_hidden.iter().filter(|is_hidden| **is_hidden).count();
+        format!("<RimCurve of {} points, {hidden} of them hidden>", self.0.points.len())
     }
 }
 
 /// The rim of a model: where lines of sight touch it (JLS section 2.4.3).
 ///
 /// Args:
-///     model: the model or the fit.
+///     model: the model of any family, the fit, or a list of them that are seen together.
 ///     centre: the centre of a pinhole camera, of shape (3,), in the model's world.
 ///     direction: or else the direction in which an orthographic camera looks.
-///     n: number of points.
+///     n: number of points, of all curves together.
 ///
 /// Returns:
-///     Points once around, evenly spaced, of shape (n, 3), in the model's world.
+///     Closed curves in the model's world, one of a superellipsoid with exponents up to 2; each of
+///     evenly spaced points.
 ///
 /// Raises:
-///     ViewError: if an exponent is over 2, or the camera is not outside the model.
+///     ViewError: if the camera is not outside the model.
 ///     TypeError: unless one of centre and direction is given.
 #[pyfunction]
 #[pyo3(signature = (model, *, centre = None, direction = None, n = 200))]
-pub(super) fn rim<'py>(
-    py: Python<'py>,
-    model: &Bound<'py, PyAny>,
-    centre: Option<&Bound<'py, PyAny>>,
-    direction: Option<&Bound<'py, PyAny>>,
+pub(super) fn rim(
+    py: Python<'_>,
+    model: &Bound<'_, PyAny>,
+    centre: Option<&Bound<'_, PyAny>>,
+    direction: Option<&Bound<'_, PyAny>>,
     n: usize,
-) -> PyResult<Table<'py>> {
-    let model = model_of(model)?;
+) -> PyResult<Vec<PyRimCurve>> {
+    let solid = solid_of(model)?;
     require_room(n)?;
     let viewpoint = match (centre, direction) {
-        (Some(centre), None) => {
-            let centre: Vector3<f64> = Doubles::new("centre", centre)?.vector()?.into();
-            Viewpoint::At(model.pose.model_from_world(&centre))
-        }
+        (Some(centre), None) => Viewpoint::At(Doubles::new("centre", centre)?.vector()?.into()),
         (None, Some(direction)) => {
-            let direction: Vector3<f64> = Doubles::new("direction", direction)?.vector()?.into();
-            Viewpoint::Along(model.pose.rotation().inverse_transform_vector(&direction))
+            Viewpoint::Along(Doubles::new("direction", direction)?.vector()?.into())
         }
         _ => return Err(PyTypeError::new_err("give either centre or direction")),
     };
-    let points = py.detach(|| crate::view::rim(&model.shape, &viewpoint, n))?;
-    table(py, points.iter().map(|x| model.pose.world_from_model(x).into()).collect())
+    let curves = py.detach(|| rim_curves(&solid, &viewpoint, n))?;
+    Ok(curves.into_iter().map(PyRimCurve).collect())
+}
+
+fn vectors<'py>(py: Python<'py>, points: &[Vector3<f64>]) -> PyResult<Table<'py>> {
+    table(py, points.iter().map(|x| (*x).into()).collect())
+}
+
+/// Polygons and lines in an image, each of shape (n, 2).
+pub(super) fn pixel_arrays<'py>(
+    py: Python<'py>,
+    lines: &[Vec<[f64; 2]>],
+) -> PyResult<Vec<Array<'py>>> {
+    lines.iter().map(|line| shaped(py, line.as_flattened().to_vec(), &[line.len(), 2])).collect()
 }

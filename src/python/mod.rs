@@ -2,6 +2,7 @@
 
 mod arrays;
 mod batch;
+mod camera;
 mod contour;
 mod deformed;
 mod derivatives;
@@ -32,7 +33,9 @@ mod core {
     #[pymodule_export]
     use super::batch::evaluate_suite;
     #[pymodule_export]
-    use super::contour::{PyContour, contour, rim};
+    use super::camera::{PyOrthographicCamera, load_camera};
+    #[pymodule_export]
+    use super::contour::{PyContour, PyRimCurve, contour, rim};
     #[pymodule_export]
     use super::deformed::PyDeformed;
     #[pymodule_export]
@@ -61,7 +64,7 @@ mod core {
     #[pymodule_export]
     use super::view::{PyCamera, PyDepthMap, read_depth};
     #[pymodule_export]
-    use super::wireframe::wireframe;
+    use super::wireframe::{axes, residual, wireframe};
 
     #[pymodule_export]
     #[expect(non_upper_case_globals, reason = "the name that Python expects")]

@@ -1,13 +1,15 @@
-//! Arguments that may be a model, of a family or of any, or a fit.
+//! Arguments that may be a model, of a family or of any, a fit, or a solid.
 
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
+use pyo3::types::PyList;
 
 use super::fit::PyFit;
 use super::model::PyModel;
 use super::shape::PyShape;
 use crate::model::Model;
 use crate::shape::Shape;
+use crate::solid::{Primitive, Tree};
 
 /// A model, or that of a fit.
 pub(super) fn model_of(value: &Bound<'_, PyAny>) -> PyResult<Model> {
@@ -27,4 +29,13 @@ pub(super) fn any_model_of(value: &Bound<'_, PyAny>) -> PyResult<Model<Shape>> {
         Ok(shape) => Ok(shape.get().0),
         Err(_) => Ok(model_of(value)?.into()),
     }
+}
+
+/// The solid that an object of any class stands for, or all of several together.
+pub(super) fn solid_of(value: &Bound<'_, PyAny>) -> PyResult<Tree> {
+    if value.is_instance_of::<PyList>() {
+        let parts = value.try_iter()?.map(|part| solid_of(&part?));
+        return Ok(Tree::Union(parts.collect::<PyResult<_>>()?));
+    }
+    Ok(Primitive::from(any_model_of(value)?).into())
 }

@@ -6,6 +6,7 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 
 use super::arrays::{Array, Doubles, Table, Vector, shaped, table};
+use super::camera::project;
 use super::errors::ModelError;
 use crate::recover::SightLine;
 use crate::view::{Camera, DepthMap, Distortion, find_plane};
@@ -114,12 +115,7 @@ impl PyCamera {
     /// Pixels (column, row), of shape (n, 2), at which points of the camera's frame, of shape
     /// (n, 3), are seen; not numbers behind the camera and where no ray comes through the lens.
     fn project<'py>(&self, points: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
-        let py = points.py();
-        let points = Doubles::new("points", points)?;
-        let [count, 3] = *points.shape() else { return Err(points.wrong_shape("(n, 3)")) };
-        let pixel = |row: &[f64; 3]| self.0.project(&(*row).into()).unwrap_or([f64::NAN; 2]);
-        let pixels: Vec<[f64; 2]> = points.rows()?.iter().map(pixel).collect();
-        shaped(py, pixels.into_flattened(), &[count, 2])
+        project(&self.0, points)
     }
 
     /// Directions, of shape (n, 3) and with z = 1, of the rays of pixels (column, row), of shape

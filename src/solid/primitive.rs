@@ -50,6 +50,12 @@ impl<S: Solid + LevelSet> Primitive<S> {
     }
 }
 
+impl<S> From<Model<S>> for Primitive<S> {
+    fn from(Model { shape, pose }: Model<S>) -> Self {
+        Self { deformed: Deformed::plain(shape), pose }
+    }
+}
+
 impl<S: Copy> Primitive<S> {
     /// The plain model, if nothing deforms it.
     pub fn undeformed(&self) -> Option<Model<S>> {

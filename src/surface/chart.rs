@@ -10,6 +10,9 @@ mod three_exponent;
 mod torus;
 mod tower;
 
+pub(crate) use bowls::within_rim;
+pub(crate) use superellipsoid::flattened_cube_point;
+
 use nalgebra::Vector3;
 
 use super::grading::Grading;

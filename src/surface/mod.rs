@@ -18,6 +18,7 @@ mod tessellate;
 mod tolerance;
 
 pub use boundary::boundary_mesh;
+pub(crate) use chart::{flattened_cube_point, within_rim};
 pub use deformed::{deformed_mesh, sample_deformed_surface, tessellate_deformed};
 pub use families::{sample_shape_surface, tessellate_shape};
 pub use mesh::Mesh;

@@ -2,12 +2,15 @@
 
 use std::path::Path;
 
+use nalgebra::Vector3;
 use serde::Deserialize;
 
 use super::camera::Camera;
 use super::camera_file::{parse, parse_values, value_as};
 use super::error::{ImageError, ImageProblem};
-use super::projection::OrthographicCamera;
+use super::projection::{OrthographicCamera, Projection};
+use super::rim::Viewpoint;
+use crate::pose::Pose;
 
 /// A camera of either kind.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,10 +56,52 @@ impl AnyCamera {
 
     /// Columns and rows.
     pub fn size(&self) -> [u32; 2] {
+        self.projection().size()
+    }
+
+    fn projection(&self) -> &dyn Projection {
         match self {
-            Self::Pinhole(camera) => [camera.width, camera.height],
-            Self::Orthographic(camera) => [camera.width, camera.height],
+            Self::Pinhole(camera) => camera,
+            Self::Orthographic(camera) => camera,
         }
+    }
+}
+
+impl Projection for AnyCamera {
+    fn project(&self, x_camera: &Vector3<f64>) -> Option<[f64; 2]> {
+        self.projection().project(x_camera)
+    }
+
+    fn project_undistorted(&self, x_camera: &Vector3<f64>) -> Option<[f64; 2]> {
+        self.projection().project_undistorted(x_camera)
+    }
+
+    fn distort(&self, undistorted: [f64; 2]) -> Option<[f64; 2]> {
+        self.projection().distort(undistorted)
+    }
+
+    fn viewpoint(&self, camera_from_model: &Pose) -> Viewpoint {
+        self.projection().viewpoint(camera_from_model)
+    }
+
+    fn focal_lengths(&self) -> [f64; 2] {
+        self.projection().focal_lengths()
+    }
+
+    fn size(&self) -> [u32; 2] {
+        self.projection().size()
+    }
+}
+
+impl From<Camera> for AnyCamera {
+    fn from(camera: Camera) -> Self {
+        Self::Pinhole(camera)
+    }
+}
+
+impl From<OrthographicCamera> for AnyCamera {
+    fn from(camera: OrthographicCamera) -> Self {
+        Self::Orthographic(camera)
     }
 }
 

@@ -12,7 +12,7 @@ pub struct ImageError {
 }
 
 impl ImageError {
-    pub(super) fn new(file: &Path, problem: ImageProblem) -> Self {
+    pub(crate) fn new(file: &Path, problem: ImageProblem) -> Self {
         Self { file: file.to_owned(), problem: Box::new(problem) }
     }
 

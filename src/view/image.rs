@@ -25,7 +25,7 @@ pub(super) fn read_bytes(path: &Path, most: u64) -> Result<Vec<u8>, ImageProblem
 }
 
 /// A decoded image.
-pub(in crate::view) struct Pixels {
+pub(crate) struct Pixels {
     /// Columns and rows.
     pub size: [u32; 2],
     /// Rows one after the other, channels next to each other, high bytes first.
@@ -35,7 +35,7 @@ pub(in crate::view) struct Pixels {
 }
 
 /// The pixels of a PNG file, transformed.
-pub(super) fn read_png(path: &Path, change: Transformations) -> Result<Pixels, ImageProblem> {
+pub(crate) fn read_png(path: &Path, change: Transformations) -> Result<Pixels, ImageProblem> {
     let limits = Limits { bytes: DECODER_BYTES };
     let file = File::open(path)?;
     let file_bytes = file.metadata()?.len();

@@ -5,7 +5,6 @@ use nalgebra::Vector3;
 use super::camera::Camera;
 use super::error::ImageProblem;
 use super::rim::Viewpoint;
-use crate::model::Model;
 use crate::pose::Pose;
 
 /// A camera, in its own frame: x to the right, y down, z forward.
@@ -115,9 +114,4 @@ impl Projection for OrthographicCamera {
     fn size(&self) -> [u32; 2] {
         [self.width, self.height]
     }
-}
-
-/// A model of the world in the frame of a camera.
-pub fn model_in_camera(camera_from_world: &Pose, model: &Model) -> Model {
-    Model { shape: model.shape, pose: camera_from_world.after(&model.pose) }
 }

@@ -67,6 +67,8 @@ def test_members_are_documented():
         superquadric.Contour,
         superquadric.DepthMap,
         superquadric.Fit,
+        superquadric.OrthographicCamera,
+        superquadric.RimCurve,
         superquadric.Score,
         superquadric.Shape,
         superquadric.Superellipsoid,

@@ -67,7 +67,7 @@ def test_silhouette_and_depths_are_those_of_the_model(tmp_path, model):
     camera = superquadric.Camera(FOCAL, FOCAL, (WIDTH - 1) / 2, (HEIGHT - 1) / 2, WIDTH, HEIGHT)
     import cv2
 
-    outline = superquadric.contour(model, camera).polygon
+    outline = superquadric.contour(model, camera).polygons[0]
     column, row = np.meshgrid(np.arange(WIDTH), np.arange(HEIGHT))
     signed = np.array(
         [

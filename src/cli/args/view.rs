@@ -4,30 +4,31 @@ use std::path::PathBuf;
 
 use super::parse::positive;
 
-/// A model, a camera, and how they stand to each other.
+/// Solids, a camera, and how they stand to each other.
 #[derive(Debug, clap::Args)]
 pub(in crate::cli) struct ViewArgs {
-    /// A fit or a bare model in JSON, in the camera's frame (x right, y down, z forward) unless
-    /// --pose tells another; - is stdin.
+    /// A fit, a bare model, a solid or a scene, .json or .toml; - is stdin, for JSON. What is no
+    /// scene is in the camera's frame (x right, y down, z forward) unless --pose tells another.
     pub model: PathBuf,
-    /// Intrinsics: JSON with fx, fy, cx, cy, width, height and distortion, OpenCV's or ROS's
-    /// calibration in YAML, or ROS's camera_info.
+    /// Intrinsics, in the place of a scene's: JSON with fx, fy, cx, cy, width, height and
+    /// distortion, OpenCV's or ROS's calibration in YAML, or ROS's camera_info. Or an orthographic
+    /// camera: {"model": "orthographic", "scale": [pixels per unit, along rows and columns],
+    /// "origin": [column, row], "width": .., "height": ..}.
     #[arg(long, value_name = "CAM")]
-    pub camera: PathBuf,
+    pub camera: Option<PathBuf>,
     /// The model is in the world's frame: JSON with camera_from_world or world_from_camera, rows
     /// [R | t], such as a scene's truth.json.
     #[arg(long, value_name = "POSE.json")]
     pub pose: Option<PathBuf>,
 }
 
-/// Write the outline of a model as a camera sees it.
+/// Write the outline of a model, a solid or a scene as a camera sees it.
 ///
-/// The model may be of any family and deformed. The camera may be orthographic, too: {"model":
-/// "orthographic", "scale": [pixels per unit, along rows and columns], "origin": [column, row],
-/// "width": .., "height": ..}.
+/// Models may be of any family and deformed, solids unions, intersections and differences of them.
 ///
 /// JSON has closed polygons of [column, row] in pixels, pixel centres at integers, the rim in the
-/// camera's frame, area and bounding box; SVG is to be laid over the image.
+/// camera's frame with what is hidden of it, area and bounding box; SVG is to be laid over the
+/// image.
 #[derive(Debug, clap::Args)]
 pub(in crate::cli) struct ContourArgs {
     #[command(flatten)]
@@ -37,10 +38,10 @@ pub(in crate::cli) struct ContourArgs {
     pub output: PathBuf,
 }
 
-/// Draw a model over a picture of it.
+/// Draw a model, a solid or a scene over a picture of it.
 ///
-/// Its outline, lines on its surface (those it hides dashed), and its axes x, y, z in red, green and
-/// blue; and points coloured by their distance from it.
+/// Its outline, its rim and lines on its surface (dashed where they are hidden), and the axes x, y,
+/// z of a model in red, green and blue; and points coloured by their distance from it.
 #[derive(Debug, clap::Args)]
 pub(in crate::cli) struct OverlayArgs {
     #[command(flatten)]
@@ -52,7 +53,7 @@ pub(in crate::cli) struct OverlayArgs {
     #[arg(long, value_name = "CLOUD", conflicts_with = "depth")]
     pub points: Option<PathBuf>,
     /// Points to colour: a depth map of the camera, PNG of 16 bits, in metres as the model.
-    #[arg(long, value_name = "DEPTH.png", conflicts_with = "pose")]
+    #[arg(long, value_name = "DEPTH.png")]
     pub depth: Option<PathBuf>,
     /// The object in the depth map: PNG, not 0 where it is.
     #[arg(long, value_name = "MASK.png", requires = "depth")]

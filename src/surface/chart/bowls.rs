@@ -67,7 +67,7 @@ fn share([p, q]: [f64; 2]) -> f64 {
 
 /// The `[v, w]` of a place of the square `[-1, 1]^2`: as far towards the rim as it is towards the
 /// square's boundary.
-fn within_rim(bowls: &SuperhyperboloidTwoSheets, [p, q]: [f64; 2]) -> [f64; 2] {
+pub(crate) fn within_rim(bowls: &SuperhyperboloidTwoSheets, [p, q]: [f64; 2]) -> [f64; 2] {
     let share = share([p, q]);
     if share == 0.0 {
         return [0.0; 2];

@@ -37,7 +37,7 @@ impl Chart for Superellipsoid {
 
 /// A point of the cube's surface, moved so that squares about the z axis become superellipses
 /// of exponent e2: edges of the cube become edges of the solid.
-pub(super) fn flattened_cube_point([x, y, z]: [f64; 3], e2: f64) -> Vector3<f64> {
+pub(crate) fn flattened_cube_point([x, y, z]: [f64; 3], e2: f64) -> Vector3<f64> {
     let side = x.abs().max(y.abs());
     let shrink = if side == 0.0 { 1.0 } else { side / superellipse_norm(x.abs(), y.abs(), e2) };
     Vector3::new(x * shrink, y * shrink, z)

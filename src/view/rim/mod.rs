@@ -11,6 +11,7 @@ pub use closed_form::{orthographic_rim_meridians, orthographic_rim_point};
 pub(super) use refine::{Sample, refine};
 pub(super) use tangent::{Tangents, Touch};
 
+use crate::pose::Pose;
 use crate::shape::Superellipsoid;
 
 /// Segments to the distance between two points of an evenly spaced rim.
@@ -23,6 +24,18 @@ pub enum Viewpoint {
     At(Vector3<f64>),
     /// The direction in which an orthographic camera looks, of any length but 0.
     Along(Vector3<f64>),
+}
+
+impl Viewpoint {
+    /// The same in the frame of something at a pose.
+    pub fn in_frame_of(&self, pose: &Pose) -> Self {
+        match self {
+            Self::At(centre) => Self::At(pose.model_from_world(centre)),
+            Self::Along(direction) => {
+                Self::Along(pose.rotation().inverse_transform_vector(direction))
+            }
+        }
+    }
 }
 
 /// A view in which a solid has no rim, or none that can be drawn.

@@ -6,35 +6,32 @@ mod residuals;
 use std::io::{self, Write};
 use std::path::Path;
 
-use nalgebra::Vector3;
 use png::{BitDepth, ColorType, Encoder, Transformations};
 
-use super::camera::Camera;
-use super::contour::Contour;
-use super::error::{ImageError, ImageProblem};
-use super::image::read_png;
-use super::rim::RimError;
+use self::canvas::{Canvas, Pen};
+use super::axes::axes;
+use super::rim_curve::RimCurve;
+use super::silhouette::Outline;
 use super::wireframe::Wireframe;
 use crate::cloud::PointCloud;
-use crate::model::Model;
-use canvas::{Canvas, Pen};
+use crate::solid::Tree;
+use crate::view::{AnyCamera, ImageError, ImageProblem, Projection, RimError, read_png};
 
 const CONTOUR: Pen = Pen { color: [255, 225, 0, 255], width: 1.8, dash: None };
 const VISIBLE: Pen = Pen { color: [255, 255, 255, 190], width: 0.8, dash: None };
 const HIDDEN: Pen = Pen { color: [255, 255, 255, 90], width: 0.6, dash: Some(4.0) };
+const RIM: Pen = Pen { color: [255, 150, 0, 255], width: 1.2, dash: None };
+const HIDDEN_RIM: Pen = Pen { color: [255, 150, 0, 150], width: 0.9, dash: Some(4.0) };
 const AXES: [Pen; 3] = [
     Pen { color: [255, 70, 70, 255], width: 1.6, dash: None },
     Pen { color: [70, 220, 70, 255], width: 1.6, dash: None },
     Pen { color: [90, 140, 255, 255], width: 1.6, dash: None },
 ];
 
-/// How far the axes reach, in semi-axes.
-const AXIS_REACH: f64 = 1.3;
-
 /// A picture of a camera.
 pub struct Picture {
     canvas: Canvas,
-    camera: Camera,
+    camera: AnyCamera,
 }
 
 impl Picture {
@@ -42,12 +39,12 @@ impl Picture {
     ///
     /// # Errors
     /// If the file cannot be read, is damaged, or is not of the camera's size.
-    pub fn read(path: impl AsRef<Path>, camera: Camera) -> Result<Self, ImageError> {
+    pub fn read(path: impl AsRef<Path>, camera: AnyCamera) -> Result<Self, ImageError> {
         let path = path.as_ref();
         let read = || {
             let to_bytes = Transformations::EXPAND | Transformations::STRIP_16;
             let pixels = read_png(path, to_bytes)?;
-            let expected = [camera.width, camera.height];
+            let expected = camera.size();
             if pixels.size != expected {
                 let of = "the camera's file";
                 return Err(ImageProblem::Size { expected, found: pixels.size, of });
@@ -58,32 +55,44 @@ impl Picture {
         Ok(Self { canvas, camera })
     }
 
-    /// Draws points of the camera's frame, coloured by their distance from the model, its hidden
-    /// and visible lines, its occluding contour, which is the image of its rim, and its axes x, y,
-    /// z in red, green and blue. The model is given in the camera's frame too.
+    /// Draws points of the camera's frame, coloured by their distance from a solid, and the
+    /// solid, given in the camera's frame too: its hidden and visible lines, its rim, dashed where
+    /// it is hidden, its occluding contour, and the axes x, y, z of a solid that is one primitive
+    /// in red, green and blue.
     ///
     /// # Errors
-    /// If the model has no contour.
+    /// If the solid has no contour.
     pub fn draw(
         &mut self,
-        model_camera: &Model,
+        solid_camera: &Tree,
         points_camera: &PointCloud,
     ) -> Result<(), RimError> {
-        let contour = Contour::of(model_camera, &self.camera)?;
-        let wireframe = Wireframe::of(model_camera, &self.camera);
-        residuals::draw(&mut self.canvas, points_camera, model_camera, &self.camera);
+        let outline = Outline::of(solid_camera, &self.camera)?;
+        let wireframe = Wireframe::of(solid_camera, &self.camera);
+        residuals::draw(&mut self.canvas, points_camera, solid_camera, &self.camera);
         wireframe.hidden.iter().for_each(|line| self.canvas.line(line, false, HIDDEN));
         wireframe.visible.iter().for_each(|line| self.canvas.line(line, false, VISIBLE));
-        self.canvas.line(contour.polygon(), true, CONTOUR);
-        self.draw_axes(model_camera);
+        self.draw_rim(outline.rim_camera());
+        outline.polygons().iter().for_each(|polygon| self.canvas.line(polygon, true, CONTOUR));
+        self.draw_axes(solid_camera);
         Ok(())
     }
 
-    fn draw_axes(&mut self, model_camera: &Model) {
-        for (axis, pen) in AXES.into_iter().enumerate() {
-            let mut end = Vector3::zeros();
-            end[axis] = AXIS_REACH * model_camera.shape.size()[axis];
-            let ends = [Vector3::zeros(), end].map(|x| model_camera.pose.world_from_model(&x));
+    /// What of the rim is hidden, and above it what is seen.
+    fn draw_rim(&mut self, curves: &[RimCurve]) {
+        for (is_hidden, pen) in [(true, HIDDEN_RIM), (false, RIM)] {
+            for run in curves.iter().flat_map(|curve| curve.runs(is_hidden)) {
+                let pixels: Option<Vec<_>> = run.iter().map(|x| self.camera.project(x)).collect();
+                if let Some(pixels) = pixels {
+                    self.canvas.line(&pixels, false, pen);
+                }
+            }
+        }
+    }
+
+    fn draw_axes(&mut self, solid_camera: &Tree) {
+        let axes = axes(solid_camera).into_iter().flatten();
+        for (ends, pen) in axes.zip(AXES) {
             if let [Some(centre), Some(tip)] = ends.map(|x| self.camera.project(&x)) {
                 self.canvas.line(&[centre, tip], false, pen);
             }

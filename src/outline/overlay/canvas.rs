@@ -12,8 +12,7 @@ use tiny_skia::{
     StrokeDash, Transform,
 };
 
-use crate::view::error::ImageProblem;
-use crate::view::image::Pixels;
+use crate::view::{ImageProblem, Pixels};
 
 /// Side, in pixels, of an image whose lines are as wide as they are given.
 const PLAIN_SIDE: f32 = 800.0;

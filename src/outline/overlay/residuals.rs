@@ -2,8 +2,9 @@
 
 use super::canvas::Canvas;
 use crate::cloud::PointCloud;
-use crate::model::Model;
-use crate::view::projection::Projection;
+use crate::outline::residual::Residual;
+use crate::solid::Tree;
+use crate::view::Projection;
 
 /// Most points that are drawn: more would cover each other.
 const MOST_POINTS: usize = 1500;
@@ -19,25 +20,26 @@ const OUTSIDE: [f64; 3] = [255.0, 50.0, 30.0];
 /// Radius of a dot.
 const DOT: f32 = 1.3;
 
-/// Draws points of the camera's frame, coloured by their radial distance (JLS Eq. 2.43), and the
-/// scale; nothing if there are none.
+/// Draws points of the camera's frame, coloured by their distance from a solid, and the scale;
+/// nothing if there are none.
 pub(super) fn draw(
     canvas: &mut Canvas,
     points_camera: &PointCloud,
-    model_camera: &Model,
+    solid_camera: &Tree,
     camera: &impl Projection,
 ) {
+    let residual = Residual::of(solid_camera);
     let step = points_camera.len().div_ceil(MOST_POINTS).max(1);
     let points: Vec<_> =
         points_camera.points().step_by(step).map(nalgebra::Vector3::from).collect();
-    let distances: Vec<f64> = points.iter().map(|x| model_camera.radial_distance(x)).collect();
+    let distances: Vec<f64> = points.iter().map(|x| residual.at(x)).collect();
     let Some(end) = scale_end(&distances) else { return };
     for (x, distance) in points.iter().zip(&distances) {
         if let Some(pixel) = camera.project(x) {
             canvas.dot(pixel, DOT, color(distance / end));
         }
     }
-    draw_scale(canvas, end);
+    draw_scale(canvas, residual.name(), end);
 }
 
 /// A round number that most distances are within; none without points.
@@ -62,8 +64,8 @@ fn color(share: f64) -> [u8; 3] {
 }
 
 /// The scale, in the lower left corner, on a dark ground.
-fn draw_scale(canvas: &mut Canvas, end: f64) {
-    let title = "radial distance, in the model's unit";
+fn draw_scale(canvas: &mut Canvas, name: &str, end: f64) {
+    let title = &format!("{name}, in the model's unit");
     let ends = [format!("-{end}"), "0".to_owned(), format!("+{end}")];
     let [width, height] = canvas.letters(title.len());
     let margin = 6.0 * canvas.scale();
