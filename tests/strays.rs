@@ -88,7 +88,7 @@ fn views_of_one_side() {
 
 #[test]
 fn noisy_views_of_one_side() {
-    assert_recovered_from_one_side(77, 0.95, |scene, truth| {
+    assert_recovered_from_one_side(85, 0.95, |scene, truth| {
         let points = scene.uniform(1_000.0, 3_000.0) as usize;
         one_sided_view_from(scene, truth, points, 0.05)
     });

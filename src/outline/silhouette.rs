@@ -26,7 +26,7 @@ const SHORTEST: f64 = 0.01;
 /// Pixels to a segment along each side of the meshes on which the rim is looked for, and fewest
 /// and most of these.
 const PIXELS_A_SEGMENT: f64 = 6.0;
-const SEGMENTS: [f64; 2] = [32.0, 128.0];
+const SEGMENTS: [f64; 2] = [64.0, 128.0];
 
 /// Pixels from a point of the rim to the next, and fewest and most points of a curve.
 const SPACING: f64 = 1.0;
