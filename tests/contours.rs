@@ -174,12 +174,14 @@ fn silhouette_iou(contour: &Contour, mask: &Mask) -> f64 {
 }
 
 /// The can's mask leaves out its dark sides, up to 7 pixels wide, where the sensor saw nothing: the
-/// outline of the right can is larger.
+/// outline of the right can is larger. The bottle with its neck is no superellipsoid.
 #[test]
 fn contours_of_fits_to_real_depth_maps_cover_the_objects_masks() {
     let Some(folder) = shared("data/rgbd") else { return };
     let camera = Camera::read(folder.join("intrinsics.json")).expect("a camera");
-    for (object, least) in [("sugar", 0.9), ("pepper", 0.84), ("mustard", 0.8)] {
+    for (object, least, is_one) in
+        [("sugar", 0.9, true), ("pepper", 0.84, true), ("mustard", 0.75, false)]
+    {
         let path = |kind: &str| folder.join(format!("{object}_{kind}.png"));
         let mask = Mask::read(path("mask")).expect("a mask");
         let map = DepthMap::read(path("depth"), camera, Some(&path("mask")), None).expect("a map");
@@ -193,5 +195,6 @@ fn contours_of_fits_to_real_depth_maps_cover_the_objects_masks() {
         let extents = fit.model.shape.size().map(|a| 2.0 * a);
         println!("{object}: silhouette overlap {iou:.3}, extents {extents:.3?}");
         assert!(iou >= least, "{object}: {iou}");
+        assert!(is_one || !fit.is_trusted(), "{object} is trusted");
     }
 }

@@ -139,8 +139,8 @@ impl PyFit {
         self.fit.is_trusted()
     }
 
-    /// Reasons not to trust the model: pairs of a kind (`not_converged`, `poor_fit`, `flat` or
-    /// `uncertain_size`) and a message.
+    /// Reasons not to trust the model: pairs of a kind (`not_converged`, `poor_fit`, `flat`,
+    /// `other_surfaces` or `uncertain_size`) and a message.
     #[getter]
     fn doubts(&self) -> Vec<(&'static str, String)> {
         self.fit.doubts.iter().map(|doubt| (doubt.name(), doubt.to_string())).collect()

@@ -21,6 +21,10 @@ const GREATEST_RELATIVE_RMS: f64 = 0.2;
 /// Greatest relative standard error of a semi-axis that counts as known.
 const GREATEST_SIZE_ERROR: f64 = 0.1;
 
+/// Greatest share of points that are not of the model although neighbours do not hold them for
+/// strays: of uniform strays those next to the surface are some percent.
+const GREATEST_OTHER_SHARE: f64 = 0.12;
+
 /// Refuses clouds without an extent in at least two dimensions.
 pub(crate) fn require_extent(moments: &Moments) -> Result<(), FitError> {
     let spread = moments.normalization.radius;
@@ -42,12 +46,14 @@ fn flatness(moments: &Moments) -> f64 {
 }
 
 /// The reasons not to trust where a fit has ended: `descent` from points of these moments, at
-/// `model`, in the cloud's coordinates, whose parameters have that covariance.
+/// `model`, in the cloud's coordinates, whose parameters have that covariance; `other_share` of the
+/// points are neither of the model nor strays by their neighbours.
 pub(crate) fn doubts(
     descent: &Descent,
     moments: &Moments,
     model: &Model,
     covariance: &Covariance,
+    other_share: f64,
 ) -> Vec<Doubt> {
     let mut doubts = Vec::new();
     if !descent.termination.at_minimum {
@@ -60,6 +66,9 @@ pub(crate) fn doubts(
     }
     if moments.deviations[2] <= flatness(moments) {
         doubts.push(Doubt::Flat);
+    }
+    if other_share > GREATEST_OTHER_SHARE {
+        doubts.push(Doubt::OtherSurfaces { share: other_share });
     }
     let errors = covariance.standard_errors();
     for (axis, size) in model.shape.size().into_iter().enumerate() {

@@ -97,13 +97,15 @@ fn fit_in_pool(
     let model = all.constraints.final_form(&best.model);
     let covariance = uncertainty_of(&all, &best, &model, &surface, &moments, options.seed)
         .ok_or(FitError::Interrupted)?;
+    let clutter = survey.as_ref().and_then(|survey| survey.clutter.as_ref());
+    let other_share = surface.stray_share - clutter.map_or(0.0, |clutter| clutter.share);
     let radius = moments.normalization.radius;
     let in_cloud = moments.normalization.cloud_from_normalized(&model);
     Ok(Fit {
         model: in_cloud,
         distance: options.distance,
         termination: best.termination,
-        doubts: doubts(&best, &moments, &in_cloud, &covariance),
+        doubts: doubts(&best, &moments, &in_cloud, &covariance, other_share),
         rms_radial: best.radial_mean_square.sqrt() * radius,
         rms_geometric: best.geometric_mean_square.sqrt() * radius,
         covariance,

@@ -154,8 +154,7 @@ fn search(all: &PointSet, moments: &Moments, seed: u64) -> Search {
             let some = PointSet { evidence: evidence.as_ref().unwrap_or(all.evidence), ..some };
             search.refine(&some, &MEDIUM, finalists);
             if finalists == FINALISTS {
-                search.look_again(&some, &MEDIUM);
-                evidence = search.look_from_one_side(&some, &MEDIUM, FINALISTS);
+                evidence = search.look_around(&some, &MEDIUM, FINALISTS);
             }
             finalists = 1;
         }
@@ -163,8 +162,7 @@ fn search(all: &PointSet, moments: &Moments, seed: u64) -> Search {
     let all = PointSet { evidence: evidence.as_ref().unwrap_or(all.evidence), ..*all };
     search.refine(&all, &FINISH, finalists);
     if finalists == FINALISTS {
-        search.look_again(&all, &FINISH);
-        search.look_from_one_side(&all, &FINISH, FINALISTS);
+        search.look_around(&all, &FINISH, FINALISTS);
     }
     search
 }

@@ -110,6 +110,11 @@ pub enum Doubt {
     },
     /// The points lie in one plane.
     Flat,
+    /// Many points are not of the model, and no strays either: they have neighbours like its own.
+    OtherSurfaces {
+        /// Share of these points.
+        share: f64,
+    },
     /// The points do not determine a semi-axis.
     UncertainSize {
         /// Index of the semi-axis.
@@ -128,6 +133,7 @@ impl Doubt {
             Self::NotConverged(_) => "not_converged",
             Self::PoorFit { .. } => "poor_fit",
             Self::Flat => "flat",
+            Self::OtherSurfaces { .. } => "other_surfaces",
             Self::UncertainSize { .. } => "uncertain_size",
         }
     }
@@ -146,6 +152,9 @@ impl fmt::Display for Doubt {
                 100.0 * relative_rms
             ),
             Self::Flat => write!(f, "the points lie in one plane"),
+            Self::OtherSurfaces { share } => {
+                write!(f, "{:.0} % of the points are of another surface", 100.0 * share)
+            }
             Self::UncertainSize { axis, relative_error, direction: [x, y, z] } => write!(
                 f,
                 "the points do not determine semi-axis a{}, along ({x:.2}, {y:.2}, {z:.2}) (standard \

@@ -80,6 +80,21 @@ impl Search {
         }
     }
 
+    /// A second look where the best minimum of the geometric distance is open to doubt: what is then
+    /// known besides the points.
+    pub fn look_around(
+        &mut self,
+        points: &PointSet,
+        effort: &Effort,
+        finalists: usize,
+    ) -> Option<Evidence> {
+        let evidence = self.look_from_one_side(points, effort, finalists);
+        if evidence.is_none() {
+            self.look_again(points, effort);
+        }
+        evidence
+    }
+
     /// Looks around the best minimum of the geometric distance for better ones, if it is open to
     /// doubt, on the points it was found on: the coarse search has but few points and looks at one
     /// switch at a time.
@@ -107,7 +122,7 @@ impl Search {
 
     /// Takes the best few further as what was seen from one side, if noise and what is not seen leave
     /// the best one in doubt, and it may have been: what is then known besides the points.
-    pub fn look_from_one_side(
+    fn look_from_one_side(
         &mut self,
         points: &PointSet,
         effort: &Effort,
