@@ -23,7 +23,7 @@ const GREATEST_SIZE_ERROR: f64 = 0.1;
 
 /// Greatest share of points that are not of the model although neighbours do not hold them for
 /// strays: of uniform strays those next to the surface are some percent.
-const GREATEST_OTHER_SHARE: f64 = 0.12;
+const GREATEST_OTHER_SHARE: f64 = 0.2;
 
 /// Refuses clouds without an extent in at least two dimensions.
 pub(crate) fn require_extent(moments: &Moments) -> Result<(), FitError> {

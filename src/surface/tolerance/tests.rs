@@ -65,9 +65,9 @@ fn random_point(rng: &mut ChaCha8Rng, [a, b, c]: &[Vector3<f64>; 3]) -> Vector3<
 /// triangles from the surface along its normal or the steepest way out.
 #[test]
 fn surface_and_mesh_are_nowhere_further_apart_than_the_tolerance() {
-    for share in [0.03, 0.003] {
+    for (share, sizes) in [(0.03, &SIZES[..]), (0.003, &SIZES[1..3])] {
         let mut rng = ChaCha8Rng::seed_from_u64(1);
-        for_every_mesh(share, |method, shape, tolerance, mesh| {
+        for_meshes_of(sizes, share, |method, shape, tolerance, mesh| {
             let count = mesh.triangles().len();
             let each = 20_000_usize.div_ceil(count);
             for corners in mesh.corners().step_by(count.div_ceil(20_000)) {
