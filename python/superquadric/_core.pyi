@@ -21,6 +21,7 @@ __all__ = [
     "Fit",
     "FitError",
     "ImageError",
+    "LameCurve",
     "ModelError",
     "OrthographicCamera",
     "RimCurve",
@@ -28,7 +29,9 @@ __all__ = [
     "Score",
     "Shape",
     "Solid",
+    "Superellipse",
     "Superellipsoid",
+    "Superhyperbola",
     "SuperhyperboloidOneSheet",
     "SuperhyperboloidTwoSheets",
     "SuperquadricError",
@@ -49,6 +52,7 @@ __all__ = [
     "residual",
     "rim",
     "score",
+    "spherical_product",
     "wireframe",
     "write_mesh",
 ]
@@ -277,6 +281,50 @@ class ThreeExponent(Shape):
     def size(self) -> NDArray[np.float64]: ...
     @property
     def exponents(self) -> NDArray[np.float64]: ...
+
+@final
+class Superellipse:
+    def __new__(cls, size: ArrayLike, exponent: float) -> Superellipse: ...
+    @property
+    def size(self) -> NDArray[np.float64]: ...
+    @property
+    def exponent(self) -> float: ...
+    def position(self, theta: ArrayLike) -> NDArray[np.float64]: ...
+    def tangent(self, theta: ArrayLike) -> NDArray[np.float64]: ...
+    def second_derivative(self, theta: ArrayLike) -> NDArray[np.float64]: ...
+
+@final
+class Superhyperbola:
+    def __new__(cls, size: ArrayLike, exponent: float) -> Superhyperbola: ...
+    @property
+    def size(self) -> NDArray[np.float64]: ...
+    @property
+    def exponent(self) -> float: ...
+    def position(self, theta: ArrayLike) -> NDArray[np.float64]: ...
+    def tangent(self, theta: ArrayLike) -> NDArray[np.float64]: ...
+    def second_derivative(self, theta: ArrayLike) -> NDArray[np.float64]: ...
+
+@final
+class LameCurve:
+    def __new__(cls, size: ArrayLike, numerator: int, denominator: int = 1) -> LameCurve: ...
+    @property
+    def size(self) -> NDArray[np.float64]: ...
+    @property
+    def exponent(self) -> float: ...
+    @property
+    def kind(self) -> int: ...
+    @property
+    def arcs(self) -> int: ...
+    def position(self, theta: ArrayLike, arc: int = 0) -> NDArray[np.float64]: ...
+    def tangent(self, theta: ArrayLike, arc: int = 0) -> NDArray[np.float64]: ...
+    def second_derivative(self, theta: ArrayLike, arc: int = 0) -> NDArray[np.float64]: ...
+
+def spherical_product(
+    north: Superellipse | Superhyperbola | LameCurve,
+    east: Superellipse | Superhyperbola | LameCurve,
+    eta: ArrayLike,
+    omega: ArrayLike,
+) -> NDArray[np.float64]: ...
 
 @final
 class Deformed:

@@ -11,7 +11,7 @@ use crate::exchange::{ExportError, ImportError};
 use crate::outline::UnknownContourFormat;
 use crate::output::OutputError;
 use crate::recover::FitError;
-use crate::report::DocumentError;
+use crate::report::{DocumentError, UnknownCurveFormat};
 use crate::surface::ToleranceError;
 use crate::surface::format::{InscriptionError, UnknownMeshFormat};
 use crate::view::{ImageError, RimError};
@@ -57,6 +57,8 @@ pub(super) enum CliError {
     Rim { name: String, source: RimError },
     #[error(transparent)]
     ContourFormat(#[from] UnknownContourFormat),
+    #[error(transparent)]
+    CurveFormat(#[from] UnknownCurveFormat),
     #[error(transparent)]
     MeshFormat(#[from] UnknownMeshFormat),
     #[error(transparent)]

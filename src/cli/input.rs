@@ -8,8 +8,10 @@ use super::error::CliError;
 use crate::cloud::{self, PointCloud};
 use crate::model::Model;
 use crate::ray::Scene;
-use crate::report::{DocumentError, any_model_from_json, scene_from_json, scene_from_toml};
-use crate::shape::Shape;
+use crate::report::{
+    DocumentError, any_model_from_json, curve_from_json, scene_from_json, scene_from_toml,
+};
+use crate::shape::{ClippedCurve, Shape};
 use crate::surface::format::MeshFormat;
 
 /// Most bytes that a model's document may have: a fit has less than a thousand.
@@ -43,6 +45,11 @@ pub(super) fn read_any_model(path: &Path) -> Result<Model<Shape>, CliError> {
 pub(super) fn read_scene(path: &Path) -> Result<Scene, CliError> {
     let is_toml = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
     read_document(path, if is_toml { scene_from_toml } else { scene_from_json })
+}
+
+/// The plane curve in a JSON file or on stdin.
+pub(super) fn read_curve(path: &Path) -> Result<ClippedCurve, CliError> {
+    read_document(path, curve_from_json)
 }
 
 fn read_document<T>(

@@ -5,6 +5,7 @@ mod args;
 mod batch;
 mod completions;
 mod contour;
+mod curve;
 mod error;
 mod export;
 mod fit;
@@ -15,6 +16,7 @@ mod input;
 mod mesh;
 mod output;
 mod overlay;
+mod product;
 mod progress;
 mod render;
 mod scene;
@@ -53,6 +55,8 @@ fn run(command: Command) -> Result<u8, CliError> {
         Command::Mesh(args) => mesh::run(&args),
         Command::Info(args) => info::run(&args),
         Command::Contour(args) => contour::run(&args),
+        Command::Curve(args) => curve::run(&args),
+        Command::Product(args) => product::run(&args),
         Command::Overlay(args) => overlay::run(&args),
         Command::Render(args) => render::run(&args),
         Command::Export(args) => export::run(&args),

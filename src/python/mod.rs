@@ -4,6 +4,7 @@ mod arrays;
 mod batch;
 mod camera;
 mod contour;
+mod curves;
 mod deformed;
 mod derivatives;
 mod document;
@@ -36,6 +37,8 @@ mod core {
     use super::camera::{PyOrthographicCamera, load_camera};
     #[pymodule_export]
     use super::contour::{PyContour, PyRimCurve, contour, rim};
+    #[pymodule_export]
+    use super::curves::{PyLameCurve, PySuperellipse, PySuperhyperbola, spherical_product};
     #[pymodule_export]
     use super::deformed::PyDeformed;
     #[pymodule_export]

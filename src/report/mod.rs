@@ -1,6 +1,8 @@
 //! Documents for machines (JSON) and tables for people.
 
 mod camera_document;
+mod curve_document;
+mod curve_drawing;
 mod deformation_document;
 mod document;
 mod info;
@@ -12,6 +14,8 @@ mod solid_document;
 mod solid_info;
 mod table;
 
+pub use curve_document::{curve_from_json, curve_to_json};
+pub use curve_drawing::{CurveFormat, UnknownCurveFormat};
 pub use document::{FIT_SCHEMA, FitDocument};
 pub use info::InfoDocument;
 pub use model_document::{DocumentError, ModelDocument, any_model_from_json, model_from_json};

@@ -26,6 +26,9 @@ pub enum DocumentError {
     /// A key of the model is missing or has the wrong type.
     #[error("expected a model, {{\"shape\": {{..}}, \"pose\": {{..}}}}: {0}")]
     Model(serde_json::Error),
+    /// Not JSON, or without the keys or types of a plane curve.
+    #[error("expected a curve, {{\"curve\": .., \"size\": [a, b], ..}}: {0}")]
+    Curve(serde_json::Error),
     /// A fit of a schema that this version does not know.
     #[error("expected schema \"superquadric.fit/1\", found {0}")]
     Schema(String),

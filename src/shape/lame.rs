@@ -42,6 +42,21 @@ impl LameCurve {
         Ok(Self { size, numerator, denominator: denominator / divisor })
     }
 
+    /// Semi-axes `[a, b]`.
+    pub fn size(&self) -> [f64; 2] {
+        self.size
+    }
+
+    /// The numerator of the exponent in lowest terms.
+    pub fn numerator(&self) -> i32 {
+        self.numerator
+    }
+
+    /// The denominator of the exponent in lowest terms.
+    pub fn denominator(&self) -> u32 {
+        self.denominator
+    }
+
     /// The exponent m.
     pub fn exponent(&self) -> f64 {
         f64::from(self.numerator) / f64::from(self.denominator)

@@ -1,6 +1,7 @@
 //! Shapes in their own frame, a file or folder a family.
 
 pub(crate) mod arc;
+mod clipped_curve;
 mod curvature;
 mod curve;
 mod family;
@@ -12,6 +13,7 @@ mod mass;
 mod one_sheet;
 mod parametric;
 mod patch;
+mod polyline;
 mod solid;
 mod spherical_product;
 mod superellipse;
@@ -23,6 +25,7 @@ mod two_sheets;
 
 pub(crate) use crate::math::superellipse_norm;
 pub(crate) use arc::{greatest_arc_parameter, quarter_point};
+pub use clipped_curve::{ClippedCurve, PlaneCurve};
 pub use curvature::{Curvatures, FundamentalForms};
 pub use curve::{Curve, CurvePoint};
 pub use family::Shape;
@@ -33,6 +36,7 @@ pub use mass::MassProperties;
 pub use one_sheet::SuperhyperboloidOneSheet;
 pub use parametric::Parametric;
 pub use patch::{Patch, Patched, SurfaceElement};
+pub use polyline::Polyline;
 pub use solid::Solid;
 pub use spherical_product::SphericalProduct;
 pub use superellipse::Superellipse;

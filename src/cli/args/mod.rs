@@ -1,5 +1,6 @@
 //! What can be typed.
 
+mod curve;
 mod exchange;
 mod fit;
 mod mesh;
@@ -11,6 +12,7 @@ mod view;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
+pub(super) use curve::{CurveArgs, ProductArgs};
 pub(super) use exchange::{ExportArgs, ImportArgs};
 pub(super) use fit::FitArgs;
 pub(super) use mesh::FinenessArgs;
@@ -41,6 +43,8 @@ Examples:
   superquadric overlay fit.json --camera camera.json --image photo.png -o overlay.png
   superquadric render fit.json --camera camera.json --shaded picture.png
   superquadric render scene.toml --shaded picture.png --depth depth.npy
+  superquadric curve superellipse.json -o curve.svg
+  superquadric product north.json east.json -o surface.ply
   superquadric export fit.json --to lammps -o particle.data
   superquadric import particle.data --from lammps -o model.json
 
@@ -54,7 +58,11 @@ A model is a superellipsoid
 with semi-axes a1 a2 a3 in the cloud's own unit and exponents e1 (north-south) and e2
 (east-west), turned by Euler angles ZYZ and moved to its centre. Exponents near 0 are boxes, 1 is
 round, 2 is bevelled. Models of the other families (superhyperboloid_one_sheet,
-superhyperboloid_two_sheets, supertoroid, three_exponent) can be given to info and mesh.";
+superhyperboloid_two_sheets, supertoroid, three_exponent) can be given to info and mesh.
+
+A curve is {\"curve\": \"superellipse\", \"size\": [a, b], \"exponent\": e}, a \"superhyperbola\" with the
+same, or {\"curve\": \"lame\", \"size\": [a, b], \"numerator\": p, \"denominator\": q}. Branches without end
+stop at \"clip\" times the semi-axes, if that is given, else at a clip of their own.";
 
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
@@ -62,6 +70,8 @@ pub(super) enum Command {
     Mesh(MeshArgs),
     Info(InfoArgs),
     Contour(ContourArgs),
+    Curve(CurveArgs),
+    Product(ProductArgs),
     Overlay(OverlayArgs),
     Render(RenderArgs),
     Export(ExportArgs),
