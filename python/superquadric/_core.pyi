@@ -354,8 +354,6 @@ class Deformed:
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Shape | Superellipsoid | Deformed: ...
 
-_Solid = Shape | Superellipsoid | Deformed | Fit | Solid
-
 @final
 class Solid:
     def __new__(cls, model: _Solid) -> Solid: ...
@@ -567,11 +565,12 @@ def _evaluate_suite(
     on_scene: Callable[[int, int], object] | None = None,
 ) -> None: ...
 
-_Solid = Superellipsoid | Shape | Fit | list[Superellipsoid | Shape | Fit]
+_Solid = Shape | Superellipsoid | Deformed | Fit | Solid
+_Solids = _Solid | list[_Solid]
 _AnyCamera = Camera | OrthographicCamera
 
-def axes(model: _Solid) -> NDArray[np.float64] | None: ...
-def contour(model: _Solid, camera: _AnyCamera) -> Contour: ...
+def axes(model: _Solids) -> NDArray[np.float64] | None: ...
+def contour(model: _Solids, camera: _AnyCamera) -> Contour: ...
 def export_model(
     model: Superellipsoid | Shape | Fit,
     to: Literal["vtk", "ovito", "liggghts", "lammps", "mercury", "pov", "ems", "supercompose"],
@@ -614,13 +613,13 @@ def read_depth(
 ) -> DepthMap: ...
 @overload
 def rim(
-    model: _Solid, *, centre: ArrayLike, direction: None = None, n: int = 200
+    model: _Solids, *, centre: ArrayLike, direction: None = None, n: int = 200
 ) -> list[RimCurve]: ...
 @overload
 def rim(
-    model: _Solid, *, centre: None = None, direction: ArrayLike, n: int = 200
+    model: _Solids, *, centre: None = None, direction: ArrayLike, n: int = 200
 ) -> list[RimCurve]: ...
-def residual(model: _Solid, points: ArrayLike) -> NDArray[np.float64]: ...
+def residual(model: _Solids, points: ArrayLike) -> NDArray[np.float64]: ...
 def score(
     truth: Superellipsoid | Fit,
     found: Superellipsoid | Fit,
@@ -630,7 +629,7 @@ def score(
     seed: int = 0,
 ) -> Score: ...
 def wireframe(
-    model: _Solid, camera: _AnyCamera
+    model: _Solids, camera: _AnyCamera
 ) -> tuple[list[NDArray[np.float64]], list[NDArray[np.float64]]]: ...
 def write_mesh(
     model: Superellipsoid | Shape | Fit, path: str | os.PathLike[str], *, resolution: int = 32

@@ -7,9 +7,10 @@ use pyo3::types::PyList;
 use super::fit::PyFit;
 use super::model::PyModel;
 use super::shape::PyShape;
+use super::tree::tree_of;
 use crate::model::Model;
 use crate::shape::Shape;
-use crate::solid::{Primitive, Tree};
+use crate::solid::Tree;
 
 /// A model, or that of a fit.
 pub(super) fn model_of(value: &Bound<'_, PyAny>) -> PyResult<Model> {
@@ -37,5 +38,5 @@ pub(super) fn solid_of(value: &Bound<'_, PyAny>) -> PyResult<Tree> {
         let parts = value.try_iter()?.map(|part| solid_of(&part?));
         return Ok(Tree::Union(parts.collect::<PyResult<_>>()?));
     }
-    Ok(Primitive::from(any_model_of(value)?).into())
+    tree_of(value)
 }

@@ -45,14 +45,16 @@ def test_a_deformed_model_is_a_shape_like_any_other(model, tmp_path):
     np.testing.assert_allclose(gradients, normals, atol=1e-8)
     low, high = deformed.bounding_box
     vertices, triangles = deformed.mesh(48)
-    assert np.all(vertices >= low) and np.all(vertices <= high)
+    assert np.all(vertices >= low)
+    assert np.all(vertices <= high)
     a, b, c = vertices[triangles].swapaxes(0, 1) - vertices.mean(axis=0)
     masses = deformed.masses(1e-5)
     assert masses["error"] <= 1e-5
     assert np.linalg.det(np.stack([a, b, c], axis=1)).sum() / 6 == pytest.approx(
         masses["volume"], rel=0.01
     )
-    assert np.all(masses["centroid"] > low) and np.all(masses["centroid"] < high)
+    assert np.all(masses["centroid"] > low)
+    assert np.all(masses["centroid"] < high)
     deformed.save(tmp_path / "model.json")
     readers = [
         superquadric.Shape.load(tmp_path / "model.json"),
@@ -102,7 +104,8 @@ def test_solids_are_their_parts_and_their_volumes_are_bounded():
         edges = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
         assert len(np.unique(edges, axis=0)) == len(edges) == 3 * len(triangles)
         low, high = solid.bounding_box
-        assert np.all(vertices > low - 1e-9) and np.all(vertices < high + 1e-9)
+        assert np.all(vertices > low - 1e-9)
+        assert np.all(vertices < high + 1e-9)
     with pytest.raises(superquadric.ModelError, match="at least one"):
         superquadric.Solid.union([])
 
@@ -153,3 +156,16 @@ def test_scenes_are_read_from_files():
     small["camera"].update(fx=42, fy=42, cx=19.5, cy=14.5, width=40, height=30)
     images = superquadric.Scene.from_dict(small).render()
     assert 0.05 < np.mean(images["depth"] > 0) < 0.5
+
+
+def test_deformed_models_and_solids_are_outlined():
+    camera = superquadric.OrthographicCamera([20, 20], [50, 40], 100, 80)
+    pose = {"translation": [0, 0, 5]}
+    ball = superquadric.Superellipsoid([1, 1, 1], [1, 1], **pose)
+    longer = superquadric.Deformed(ball, [{"kind": "scale", "factors": [2, 1, 1]}])
+    bored = superquadric.Solid(ball) - superquadric.Superellipsoid([0.3, 0.3, 9], [1, 1], **pose)
+    area = superquadric.contour(ball, camera).area
+    assert superquadric.contour(longer, camera).area == pytest.approx(2 * area, rel=1e-3)
+    # The needle's section is a disc of its own width where it leaves the ball.
+    hole = area - superquadric.contour(bored, camera).area
+    assert hole == pytest.approx(np.pi * (20 * 0.3) ** 2, rel=0.05)
