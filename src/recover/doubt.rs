@@ -22,7 +22,7 @@ const GREATEST_RELATIVE_RMS: f64 = 0.2;
 const GREATEST_SIZE_ERROR: f64 = 0.1;
 
 /// Greatest share of points that are not of the model although neighbours do not hold them for
-/// strays: of uniform strays those next to the surface are some percent.
+/// strays: a ball before its stand, which is found right, has 0.17, a bottle with its neck 0.23.
 const GREATEST_OTHER_SHARE: f64 = 0.2;
 
 /// Refuses clouds without an extent in at least two dimensions.

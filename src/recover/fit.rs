@@ -151,7 +151,7 @@ fn normalize(cloud: &PointCloud) -> Result<Moments, FitError> {
 }
 
 /// What is minimised in the end.
-fn residual(distance: Distance) -> Residual {
+pub(super) fn residual(distance: Distance) -> Residual {
     match distance {
         Distance::Radial => Residual::Radial,
         Distance::Geometric => Residual::Geometric,

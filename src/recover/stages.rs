@@ -3,7 +3,7 @@
 use super::constraints::Constraints;
 use super::descent::{Effort, PointSet, descend};
 use super::evidence::Evidence;
-use super::kernel::Residual;
+use super::fit::residual;
 use super::normalization::Moments;
 use super::options::{Distance, FitOptions};
 use super::search::Search;
@@ -83,10 +83,7 @@ impl<'a> Normalized<'a> {
             evidence: &Evidence::NONE,
             constraints: &Constraints::NONE.normalized(&self.moments.normalization),
             parallel: false,
-            residual: match distance {
-                Distance::Radial => Residual::Radial,
-                Distance::Geometric => Residual::Geometric,
-            },
+            residual: residual(distance),
             is_interrupted: &|| false,
         })
     }
