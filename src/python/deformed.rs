@@ -15,7 +15,7 @@ use crate::output::write_whole;
 use crate::report::{ModelDocument, primitive_from_json};
 use crate::shape::Shape;
 use crate::solid::Primitive;
-use crate::surface::{Resolution, deformed_mesh, tessellate_shape};
+use crate::surface::{Resolution, deformed_mesh, sample_deformed_surface, tessellate_shape};
 
 /// A model of any family after deformations of its space (B84): first deformed, then moved.
 ///
@@ -131,6 +131,15 @@ impl PyDeformed {
         masses.set_item("inertia", square(py, &estimate.properties.inertia())?)?;
         masses.set_item("error", estimate.error)?;
         Ok(masses)
+    }
+
+    /// `n` random points of the boundary, uniform by area: float64 of shape (n, 3), the same for the
+    /// same seed. Domain: exponents up to 2; of three, from 1.
+    #[pyo3(signature = (n, seed = 0))]
+    fn sample<'py>(&self, py: Python<'py>, n: usize, seed: u64) -> PyResult<Table<'py>> {
+        let Primitive { deformed, pose } = &self.0;
+        let points = py.detach(|| sample_deformed_surface(deformed, n, seed));
+        table(py, points.iter().map(|x| pose.world_from_model(x).into()).collect())
     }
 
     /// A closed mesh of the boundary: vertices, float64 of shape (v, 3), and triangles, uint32 of

@@ -212,11 +212,11 @@ impl PyShape {
     }
 
     /// Points of the surface in rows around the model's z axis, of shape (rows, 4 n, 3), `n` steps
-    /// to a quarter of a turn: around a
-    /// supertoroid's tube, or from the lower rim of one sheet to the upper; other families have none. How they are spread along the rows, and the rows (JLS section 2.5),
-    /// tells `parameterization`: "trigonometric" by the angles of `position`, "angle_centre" by
-    /// angles at the centre, "explicit" by the coordinate that changes faster (`n` made even),
-    /// "equal_distance" along the curves. Points uniform by area are those of `sample`.
+    /// to a quarter of a turn: around a supertoroid's tube, or from the lower rim of one sheet to the
+    /// upper; other families have none. `parameterization` tells how points are spread along the
+    /// rows, and the rows (JLS section 2.5): "trigonometric" by the angles of `position`,
+    /// "angle_centre" by angles at the centre, "explicit" by the coordinate that changes faster (`n`
+    /// made even), "equal_distance" along the curves. Points uniform by area are those of `sample`.
     #[pyo3(signature = (n, parameterization = "equal_distance"))]
     fn grid<'py>(&self, py: Python<'py>, n: usize, parameterization: &str) -> PyResult<Array<'py>> {
         surface::grid(py, &self.0, n, parameterization)

@@ -169,3 +169,14 @@ def test_deformed_models_and_solids_are_outlined():
     # The needle's section is a disc of its own width where it leaves the ball.
     hole = area - superquadric.contour(bored, camera).area
     assert hole == pytest.approx(np.pi * (20 * 0.3) ** 2, rel=0.05)
+
+
+def test_samples_of_a_deformed_model_are_on_its_surface_and_the_same_for_a_seed():
+    shape = superquadric.Superellipsoid([1, 2, 3], [0.5, 1.2], translation=[5, 6, 7])
+    twist = {"kind": "twist", "profile": {"form": "line", "at_zero": 0, "slope": 0.5}}
+    twisted = superquadric.Deformed(shape, [twist])
+    points = twisted.sample(500, 3)
+    assert points.shape == (500, 3)
+    assert np.abs(twisted.inside_outside(points) - 1).max() < 1e-9
+    assert np.array_equal(points, twisted.sample(500, 3))
+    assert not np.array_equal(points, twisted.sample(500, 4))
