@@ -14,8 +14,9 @@ use std::f64::consts::PI;
 
 use populations::{LEAST_SHARE, Populations};
 
-use super::neighbours::{NEIGHBOUR, Neighbourhood};
+use super::neighbours::{NEIGHBOUR, Neighbourhood, neighbourhoods};
 use super::radial::PARAMETERS;
+use super::subset::Subset;
 use crate::cloud::PointColumns;
 
 /// The shape k of the Gamma variates.
@@ -88,6 +89,22 @@ impl Clutter {
         let surface = kept.iter().sum::<f64>();
         let is_both = surface >= LEAST_SURFACE && surface < kept.len() as f64;
         is_both.then_some(Self { odds, share, surface_area, on_surface })
+    }
+
+    /// What neighbours say of the points once those that are clutter have gone: what is left of it
+    /// has fewer neighbours then.
+    pub fn looked_at_again(mut self, points: PointColumns) -> Self {
+        let kept = self.surface();
+        let left = Subset::of(points, &kept);
+        let Some(again) = Self::find(left.columns(), &neighbourhoods(left.columns())) else {
+            return self;
+        };
+        for (place, &i) in kept.iter().enumerate() {
+            self.odds[i] = self.odds[i].min(again.odds[place]);
+            self.on_surface[i] = again.on_surface[place];
+        }
+        let share = 1.0 - (1.0 - self.share) * (1.0 - again.share);
+        Self { share, surface_area: again.surface_area, ..self }
     }
 
     /// Indices of the points that are of the surface more likely than not.
@@ -167,7 +184,6 @@ mod tests {
     use rand_chacha::ChaCha8Rng;
 
     use super::*;
-    use crate::recover::neighbours::neighbourhoods;
     use crate::shape::Superellipsoid;
     use crate::surface::sample_surface;
 
@@ -202,6 +218,31 @@ mod tests {
             let most_wrong = strays / 5;
             assert!(kept.len() - right < most_wrong, "{strays}: {} kept", kept.len() - right);
         }
+    }
+
+    #[test]
+    fn a_second_look_finds_more_of_the_clutter() {
+        // One side of it.
+        let mut columns = sphere_among(250);
+        columns[0][..SURFACE].iter_mut().for_each(|x| *x = x.abs());
+        let points = [&columns[0][..], &columns[1], &columns[2]];
+        let clutter = find(&columns).expect("clutter");
+        // Those next to the surface cannot be told from it, and do no harm.
+        let is_far = |&i: &usize| {
+            let square: f64 = columns.iter().map(|column| column[i].powi(2)).sum();
+            (square.sqrt() - 1.0).abs() > 0.2
+        };
+        let wrong = |clutter: &Clutter| clutter.surface().into_iter().filter(is_far).count();
+        let right = |clutter: &Clutter| clutter.surface().iter().filter(|&&i| i < SURFACE).count();
+        let again = clutter.clone().looked_at_again(points);
+        assert!(
+            3 * wrong(&again) < 2 * wrong(&clutter),
+            "{} of {}",
+            wrong(&again),
+            wrong(&clutter)
+        );
+        assert!(right(&again) >= SURFACE * 9 / 10, "{}", right(&again));
+        assert!(again.share > clutter.share && again.share < 0.2, "{}", again.share);
     }
 
     #[test]

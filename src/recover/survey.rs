@@ -36,7 +36,8 @@ impl Survey {
         let points = Subset::stratified(points, SAMPLE, seed);
         let normalized = Subset::normalized(points.columns(), &moments.normalization);
         let neighbourhoods = neighbourhoods(normalized.columns());
-        let clutter = Clutter::find(normalized.columns(), &neighbourhoods);
+        let clutter = Clutter::find(normalized.columns(), &neighbourhoods)
+            .map(|clutter| clutter.looked_at_again(normalized.columns()));
         let reaches: Vec<f64> = neighbourhoods.iter().map(Neighbourhood::reach).collect();
         let area = clutter.as_ref().map_or_else(
             || seen_area(&reaches, &vec![1.0; reaches.len()]),
