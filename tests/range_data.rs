@@ -144,12 +144,12 @@ fn extents_of_single_views_that_are_wrong_are_called_uncertain() {
     }
 }
 
-/// One ball in scans with its stand and background.
+/// One ball in scans with its stand and background; in the last the stand reaches up to it.
 #[test]
 fn a_ball_before_its_stand_has_its_radius() {
     let Some(folder) = shared("data/lidar-ball") else { return };
     let options = FitOptions { constraints: Constraints::sphere(), ..FitOptions::default() };
-    for scan in ["S1", "S2", "S3"] {
+    for scan in ["S1", "S2", "S3", "S4"] {
         let path = folder.join(format!("spherecalib_ex3_L1_{scan}_crop450.ply"));
         let found = fit(&read(&path).unwrap(), &options).unwrap();
         let [radius, ..] = found.model.shape.size();
@@ -160,8 +160,8 @@ fn a_ball_before_its_stand_has_its_radius() {
     }
 }
 
-/// The published example whose parameters are known, but for the end that is not seen: its width,
-/// its height and its axes.
+/// The published example whose parameters are known: its width and its height, and that its length
+/// is not, since one of its ends is not seen. Three strays in the plane of that end do not make it one.
 #[test]
 fn the_seen_part_of_the_published_noisy_example_is_recovered() {
     let Some(folder) = shared("data/ems") else { return };
@@ -170,7 +170,9 @@ fn the_seen_part_of_the_published_noisy_example_is_recovered() {
     let rotation = Rotation3::from_euler_angles(0.3712, 2.6031, 2.1758);
     let shape = Superellipsoid::new([0.6506, 1.4863, 1.8478], [0.1108, 0.2786]).unwrap();
     let truth = Model { shape, pose: Pose::new(rotation, Vector3::new(-0.0551, -0.0617, 0.0120)) };
-    assert!(iou(&truth, &found.model) > 0.8);
-    let [a1, a2, _] = found.model.shape.size();
+    assert!(iou(&truth, &found.model) > 0.85);
+    let [a1, a2, a3] = found.model.shape.size();
     assert!((a1 / 1.4863 - 1.0).abs() < 0.01 && (a2 / 0.6506 - 1.0).abs() < 0.01);
+    let error = found.covariance.standard_errors()[2];
+    assert!(1.8478 - a3 < 3.0 * error, "{a3} {error}");
 }

@@ -1,12 +1,16 @@
 //! Expectation and maximisation in turn: the mixture of surface and strays, and the model in it.
 
 use super::descent::{Descent, Effort, PointSet, descend};
+use super::ends::without_ends_by_chance;
 use super::mixture::{Expectation, Mixture};
 use super::radial::PARAMETERS;
 use crate::model::Model;
 
 /// Relative change of the noise's deviation, and of the share of strays, at the end.
 const SETTLED: f64 = 1e-4;
+
+/// Rounds in which ends that strays make out are left out.
+const ROUNDS_WITHOUT_ENDS: usize = 4;
 
 /// A maximisation between two expectations.
 const STEP: Effort = Effort { tolerance: 1e-4, patience: 2, step_bound: 1.0 };
@@ -99,6 +103,26 @@ pub(crate) fn finish(points: &PointSet, fit: MixtureFit) -> Option<MixtureFit> {
     let descent = descend_weighted(points, &fit.weights, &fit.descent.model, &FINISH)?;
     let passes = fit.passes + descent.passes;
     Some(MixtureFit { descent, passes, ..fit })
+}
+
+/// A fit without the ends that strays alone make out, and without their points, in a few rounds.
+/// None if the fit is interrupted.
+pub(crate) fn without_ends_of_strays(points: &PointSet, mut fit: MixtureFit) -> Option<MixtureFit> {
+    for _ in 0..ROUNDS_WITHOUT_ENDS {
+        let deviation = fit.mixture.variance.sqrt();
+        let model = &fit.descent.model;
+        let Some(weights) = without_ends_by_chance(points, model, deviation, &fit.weights) else {
+            break;
+        };
+        let descent = descend_weighted(points, &weights, model, &STEP)?;
+        let squares = points.geometric_squares(&descent.model);
+        let weights = fit.mixture.expect(&squares, None).weights;
+        let passes = fit.passes + descent.passes + 1;
+        fit = MixtureFit { descent, weights, passes, ..fit };
+    }
+    let deviation = fit.mixture.variance.sqrt();
+    let kept = without_ends_by_chance(points, &fit.descent.model, deviation, &fit.weights);
+    Some(MixtureFit { weights: kept.unwrap_or(fit.weights), ..fit })
 }
 
 /// The variance of the noise around a model from the nearest third of the points, which are hardly

@@ -214,7 +214,7 @@ fn is_half_seen(points: &PointSet, best: &Descent) -> bool {
 }
 
 /// Whether the distances of neighbours from a model err together.
-fn is_misfit(points: &PointSet, model: &Model) -> bool {
+pub(crate) fn is_misfit(points: &PointSet, model: &Model) -> bool {
     let few = Subset::stratified(points.points, CORRELATED_POINTS, 0);
     neighbour_correlation(&PointSet { points: few.columns(), ..*points }, model) > MISFIT
 }

@@ -1,14 +1,17 @@
 //! Recovery among strays: a search on the points that neighbours hold for the surface's, then the
 //! mixture of surface and strays from the best of what it finds.
 
-use super::alternation::{MixtureFit, Schedule, alternate, finish, variance_of_nearest};
+use super::alternation::{
+    MixtureFit, Schedule, alternate, finish, variance_of_nearest, without_ends_of_strays,
+};
 use super::clutter::Clutter;
+use super::concentration::{CORE_SHARE, concentrated};
 use super::descent::{Descent, Effort, PointSet};
 use super::kernel::Residual;
 use super::mixture::{Mixture, Room};
 use super::normalization::Moments;
 use super::radial::PARAMETERS;
-use super::search::{BRIEF, Search};
+use super::search::{BRIEF, Search, is_misfit};
 use super::subset::Subset;
 use super::survey::Survey;
 use crate::model::Model;
@@ -35,12 +38,6 @@ const SCREENING_SHARE: f64 = 0.25;
 const SCREENING: Schedule = Schedule { rounds: 8, is_share_free: false };
 const ON_SAMPLE: Schedule = Schedule { rounds: 30, is_share_free: true };
 const ON_ALL: Schedule = Schedule { rounds: 8, is_share_free: true };
-
-/// Searches on what the best mixture holds for the surface, each if the one before was worth it.
-const SEARCHES_AGAIN: usize = 2;
-
-/// Gain in mean log-likelihood that is worth another search.
-const WORTHWHILE_GAIN: f64 = 1e-3;
 
 /// Gain in mean log-likelihood from which on outliers are set apart where neighbours show none,
 /// and the share of them to begin with.
@@ -70,26 +67,18 @@ pub(crate) fn fit_among_clutter(
     let core = Subset::of(sample.points, &clutter.surface());
     let mut search = CoreSearch { sample: &sample, seed, passes: 0, starts: 0 };
     let start = Mixture { variance: 1.0, stray_share: clutter.share, room: survey.room };
-    let mut best = None;
-    for fit in search.screen(&core, start) {
+    let settled = search.screen(&core, start).into_iter().filter_map(|fit| {
         let mixture = Mixture { stray_share: clutter.share, ..fit.mixture };
-        let settled = alternate(&sample, odds, &fit.descent.model, mixture, ON_SAMPLE);
-        best = more_likely(best, settled);
-    }
-    for _ in 0..SEARCHES_AGAIN {
-        let before: &MixtureFit = best.as_ref()?;
-        let (mixture, log_likelihood) = (before.mixture, before.log_likelihood);
-        let surface = Subset::of(sample.points, &before.surface());
-        for model in search.minima(&surface) {
-            best = more_likely(best, alternate(&sample, odds, &model, mixture, ON_SAMPLE));
-        }
-        if best.as_ref()?.log_likelihood < log_likelihood + WORTHWHILE_GAIN {
-            break;
-        }
-    }
-    let best = best?;
+        alternate(&sample, odds, &fit.descent.model, mixture, ON_SAMPLE)
+    });
+    let best = settled.reduce(MixtureFit::more_likely)?;
+    let (mixture, surface) = (best.mixture, Subset::of(sample.points, &best.surface()));
+    let settle = |model| alternate(&sample, odds, &model, mixture, ON_SAMPLE);
+    let again = search.minima(&surface).into_iter().filter_map(settle);
+    let best = again.fold(best, MixtureFit::more_likely);
+    let best = search.concentrate(best);
     let on_all = alternate(&all, None, &best.descent.model, best.mixture, ON_ALL)?;
-    let fit = finish(&all, on_all)?;
+    let fit = finish(&all, without_ends_of_strays(&all, on_all)?)?;
     Some(Recovery { passes: search.passes + best.passes + fit.passes, starts: search.starts, fit })
 }
 
@@ -108,16 +97,18 @@ pub(crate) fn set_outliers_apart(
     let without = without.expect(&squares, None).log_likelihood;
 
     let mut search = CoreSearch { sample: &sample, seed, passes: 0, starts: 0 };
-    let mut best = search.settle(&plain.model, survey.room)?;
+    let settled = search.settle_among_few(&plain.model, survey.room)?;
+    let mut best = search.concentrate(settled);
     if best.log_likelihood - without < OUTLIERS_GAIN {
         return None;
     }
     let surface = Subset::of(sample.points, &best.surface());
     for model in search.minima(&surface) {
-        best = search.settle(&model, survey.room).into_iter().fold(best, MixtureFit::more_likely);
+        let other = search.settle_among_few(&model, survey.room);
+        best = other.into_iter().fold(best, MixtureFit::more_likely);
     }
     let on_all = alternate(all, None, &best.descent.model, best.mixture, ON_ALL)?;
-    let fit = finish(all, on_all)?;
+    let fit = finish(all, without_ends_of_strays(all, on_all)?)?;
     Some(Recovery { passes: search.passes + fit.passes, starts: search.starts, fit })
 }
 
@@ -131,12 +122,36 @@ struct CoreSearch<'a> {
 
 impl CoreSearch<'_> {
     /// The mixture around a model, from few strays.
-    fn settle(&mut self, model: &Model, room: Room) -> Option<MixtureFit> {
+    fn settle_among_few(&mut self, model: &Model, room: Room) -> Option<MixtureFit> {
         let variance = variance_of_nearest(self.sample, model);
-        let start = Mixture { variance, stray_share: FEW, room };
+        self.settle(model, Mixture { variance, stray_share: FEW, room })
+    }
+
+    /// The mixture around a model, from another one, whatever neighbours say.
+    fn settle(&mut self, model: &Model, start: Mixture) -> Option<MixtureFit> {
         let fit = alternate(self.sample, None, model, start, ON_SAMPLE)?;
         self.passes += fit.passes;
         Some(fit)
+    }
+
+    /// A mixture, or where its own points misfit, that around the half of all points that fits best,
+    /// if it is much likelier. Neighbours have no say: they hold any surface for this one.
+    fn concentrate(&mut self, fit: MixtureFit) -> MixtureFit {
+        let own = Subset::of(self.sample.points, &fit.surface());
+        if !is_misfit(&PointSet { points: own.columns(), ..*self.sample }, &fit.descent.model) {
+            return fit;
+        }
+        self.concentrated(&fit).unwrap_or(fit)
+    }
+
+    fn concentrated(&mut self, fit: &MixtureFit) -> Option<MixtureFit> {
+        let (model, passes) = concentrated(self.sample, &fit.descent.model)?;
+        self.passes += passes;
+        let variance = variance_of_nearest(self.sample, &model);
+        let start = Mixture { variance, stray_share: 1.0 - CORE_SHARE, ..fit.mixture };
+        let before = self.settle(&fit.descent.model, fit.mixture)?;
+        let fit = self.settle(&model, start)?;
+        (fit.log_likelihood - before.log_likelihood > OUTLIERS_GAIN).then_some(fit)
     }
 
     /// The best few of a core's minima by the likelihood of a mixture on few of its points.
@@ -191,12 +206,5 @@ impl CoreSearch<'_> {
         self.starts += search.starts;
         let here = |model: &Model| self.sample.normalization.model_of(normalization, model);
         minima.iter().map(here).collect()
-    }
-}
-
-fn more_likely(best: Option<MixtureFit>, next: Option<MixtureFit>) -> Option<MixtureFit> {
-    match (best, next) {
-        (Some(best), Some(next)) => Some(best.more_likely(next)),
-        (best, next) => best.or(next),
     }
 }
