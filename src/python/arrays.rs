@@ -182,33 +182,40 @@ pub(super) fn map_angles<'py>(
     omega: &Bound<'py, PyAny>,
     map: impl Fn(f64, f64) -> Vector3<f64> + Sync,
 ) -> PyResult<Array<'py>> {
-    let vectors = map_angles_to(eta, omega, |eta, omega| [map(eta, omega)])?;
-    let shape: Vec<usize> = match vectors.shape() {
-        [broadcast @ .., 1, 3] => [broadcast, &[3]].concat(),
-        other => other.to_vec(),
-    };
-    vectors.reshape(shape)
+    let (vectors, shape) = at_angles(eta, omega, |eta, omega| <[f64; 3]>::from(map(eta, omega)))?;
+    shaped(eta.py(), vectors.into_flattened(), &[&shape[..], &[3]].concat())
 }
 
-/// N vectors for each latitude and longitude, broadcast together to shape (...), in an array of
-/// shape (..., N, 3).
+/// M rows of N numbers for each latitude and longitude, broadcast together to shape (...), in an
+/// array of shape (..., M, N).
 ///
 /// # Errors
 /// Those of [`map_angles`].
-pub(super) fn map_angles_to<'py, const N: usize>(
+pub(super) fn map_angles_to_rows<'py, const M: usize, const N: usize>(
     eta: &Bound<'py, PyAny>,
     omega: &Bound<'py, PyAny>,
-    map: impl Fn(f64, f64) -> [Vector3<f64>; N] + Sync,
+    map: impl Fn(f64, f64) -> [[f64; N]; M] + Sync,
 ) -> PyResult<Array<'py>> {
+    let (rows, shape) = at_angles(eta, omega, map)?;
+    let values = rows.into_flattened().into_flattened();
+    shaped(eta.py(), values, &[&shape[..], &[M, N]].concat())
+}
+
+/// What `map` makes of each latitude and longitude, in C order, and the shape that these have
+/// together.
+fn at_angles<T: Send>(
+    eta: &Bound<'_, PyAny>,
+    omega: &Bound<'_, PyAny>,
+    map: impl Fn(f64, f64) -> T + Sync,
+) -> PyResult<(Vec<T>, Vec<usize>)> {
     let py = eta.py();
     let pair = py.import("numpy")?.call_method1("broadcast_arrays", (eta, omega))?;
     let eta = Doubles::new("eta", &pair.get_item(0)?)?;
     let omega = Doubles::new("omega", &pair.get_item(1)?)?;
     let (etas, omegas) = (eta.values()?, omega.values()?);
-    let vectors = |(&eta, &omega): (&f64, &f64)| map(eta, omega).map(<[f64; 3]>::from);
-    let vectors: Vec<[[f64; 3]; N]> = py.detach(|| etas.iter().zip(omegas).map(vectors).collect());
-    let values = vectors.into_flattened().into_flattened();
-    shaped(py, values, &[eta.shape(), &[N, 3]].concat())
+    let at = |(&eta, &omega): (&f64, &f64)| map(eta, omega);
+    let results = py.detach(|| etas.iter().zip(omegas).map(at).collect());
+    Ok((results, eta.shape().to_vec()))
 }
 
 /// Numbers as an array of shape (n,).
@@ -229,6 +236,11 @@ pub(super) fn shaped<'py, T: Element>(
 pub(super) fn table<T: Element>(py: Python<'_>, rows: Vec<[T; 3]>) -> PyResult<Table<'_, T>> {
     let count = rows.len();
     PyArray1::from_vec(py, rows.into_flattened()).reshape([count, 3])
+}
+
+/// A matrix as an array of shape (3, 3).
+pub(super) fn square<'py>(py: Python<'py>, matrix: &Matrix3<f64>) -> PyResult<Table<'py>> {
+    table(py, <[[f64; 3]; 3]>::from(matrix.transpose()).to_vec())
 }
 
 /// Makes sure that so many points have room in memory.

@@ -5,10 +5,9 @@ use std::path::PathBuf;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyType};
 
-use super::arrays::{Array, Doubles, Table, map_angles, table, vector};
+use super::arrays::{Array, Doubles, Table, map_angles, square, table, vector};
 use super::document::{from_python, read_text, to_python as to_dictionary};
 use super::families::to_python;
-use super::model::square;
 use super::solid::any_model_of;
 use crate::model::Model;
 use crate::output::write_whole;

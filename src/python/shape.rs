@@ -6,12 +6,11 @@ use nalgebra::Vector3;
 use pyo3::prelude::*;
 use pyo3::types::PyType;
 
-use super::arrays::{Array, Doubles, Table, Vector, map_angles, shaped, table, vector};
+use super::arrays::{Array, Doubles, Table, Vector, map_angles, shaped, square, table, vector};
 use super::deformed::any_to_python;
 use super::derivatives;
 use super::document::{from_python, read_text, to_python as to_dictionary};
 use super::families::to_python;
-use super::model::square;
 use super::surface::{self, Fineness, MeshArrays};
 use crate::model::Model;
 use crate::output::write_whole;
@@ -19,7 +18,7 @@ use crate::pose::Pose;
 use crate::report::{ModelDocument, primitive_from_json};
 use crate::shape::{Parametric, Shape, Solid};
 
-/// A solid of a family besides the superellipsoids, in general position: what its kinds
+/// A solid of any family, in general position: what its kinds `Superellipsoid`,
 /// `SuperhyperboloidOneSheet`, `SuperhyperboloidTwoSheets`, `Supertoroid` and `ThreeExponent` can
 /// be asked.
 ///
@@ -42,13 +41,15 @@ impl PyShape {
         self.0.shape.family()
     }
 
-    /// Euler angles phi, theta, psi, in radians: float64 of shape (3,).
+    /// Euler angles phi, theta, psi, in radians: float64 of shape (3,). phi and psi are in
+    /// (-pi, pi], theta in [0, pi]; psi is 0 where theta is 0 or pi.
     #[getter]
     fn euler_zyz<'py>(&self, py: Python<'py>) -> Vector<'py> {
         vector(py, &self.0.pose.euler_zyz())
     }
 
-    /// Rotation from the model's frame to the world: float64 of shape (3, 3).
+    /// Rotation from the model's frame to the world: float64 of shape (3, 3), whose columns are the
+    /// model's axes.
     #[getter]
     fn rotation<'py>(&self, py: Python<'py>) -> PyResult<Table<'py>> {
         square(py, self.0.pose.rotation().matrix())
@@ -66,7 +67,7 @@ impl PyShape {
         self.0.shape.volume()
     }
 
-    /// Area of the whole boundary, the caps of a clip included.
+    /// Area of the whole boundary, the caps of a clip included, by quadrature.
     #[getter]
     fn surface_area(&self) -> f64 {
         self.0.shape.surface_area()
@@ -95,7 +96,8 @@ impl PyShape {
         square(py, &mass.inertia_about(&point))
     }
 
-    /// The least box along the world's axes that holds the solid: float64 of shape (2, 3).
+    /// The least box along the world's axes that holds the solid: float64 of shape (2, 3), its least
+    /// and greatest corner.
     #[getter]
     fn bounding_box<'py>(&self, py: Python<'py>) -> PyResult<Table<'py>> {
         table(py, self.0.bounding_box().map(Into::into).to_vec())
@@ -163,6 +165,28 @@ impl PyShape {
         derivatives::second_derivatives(&self.0, eta, omega)
     }
 
+    /// First fundamental forms, of shape (..., 2, 2), at latitudes `eta` and longitudes `omega`,
+    /// broadcast together: `[[E, F], [F, G]]`, the products of the tangents with each other (B81).
+    fn first_fundamental_form<'py>(
+        &self,
+        eta: &Bound<'py, PyAny>,
+        omega: &Bound<'py, PyAny>,
+    ) -> PyResult<Array<'py>> {
+        derivatives::first_fundamental_form(&self.0.shape, eta, omega)
+    }
+
+    /// Second fundamental forms, of shape (..., 2, 2), at latitudes `eta` and longitudes `omega`,
+    /// broadcast together: `[[D, D1], [D1, D2]]`, the products of the second derivatives with the
+    /// inward normal (B81), so that the eigenvalues of `solve(first, second)` are `curvatures`.
+    /// Domain, of both: where no tangent vanishes or is infinite.
+    fn second_fundamental_form<'py>(
+        &self,
+        eta: &Bound<'py, PyAny>,
+        omega: &Bound<'py, PyAny>,
+    ) -> PyResult<Array<'py>> {
+        derivatives::second_fundamental_form(&self.0.shape, eta, omega)
+    }
+
     /// Second derivatives of F at points of shape (..., 3), in an array of shape (..., 3, 3).
     fn inside_outside_hessian<'py>(&self, points: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
         derivatives::hessian(&self.0, points)
@@ -192,13 +216,14 @@ impl PyShape {
     }
 
     /// The support function `max { n . x : x in the solid }` for directions n of shape (..., 3),
-    /// in an array of shape (...).
+    /// in an array of shape (...), in the unit of length times that of n.
     fn support<'py>(&self, directions: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
         Doubles::new("directions", directions)?
             .map_rows(directions.py(), |direction| self.0.support(direction))
     }
 
-    /// The dual, on which the normals lie, centred at the origin: an object of its kind.
+    /// The dual, on which the normals lie, centred at the origin (B81, JLS Eq. 2.39): an object of its
+    /// kind.
     fn dual(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
         let pose = Pose::new(*self.0.pose.rotation(), Vector3::zeros());
         to_python(py, Model { shape: self.0.shape.dual()?, pose })
