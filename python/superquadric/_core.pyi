@@ -24,6 +24,7 @@ __all__ = [
     "LameCurve",
     "ModelError",
     "OrthographicCamera",
+    "Polyline",
     "RimCurve",
     "Scene",
     "Score",
@@ -278,9 +279,20 @@ class LameCurve:
     def tangent(self, theta: ArrayLike, arc: int = 0) -> NDArray[np.float64]: ...
     def second_derivative(self, theta: ArrayLike, arc: int = 0) -> NDArray[np.float64]: ...
 
+@final
+class Polyline:
+    def __new__(cls, points: ArrayLike, closed: bool = False) -> Polyline: ...
+    @property
+    def points(self) -> NDArray[np.float64]: ...
+    @property
+    def closed(self) -> bool: ...
+    def position(self, theta: ArrayLike) -> NDArray[np.float64]: ...
+    def tangent(self, theta: ArrayLike) -> NDArray[np.float64]: ...
+    def second_derivative(self, theta: ArrayLike) -> NDArray[np.float64]: ...
+
 def spherical_product(
-    north: Superellipse | Superhyperbola | LameCurve,
-    east: Superellipse | Superhyperbola | LameCurve,
+    north: Superellipse | Superhyperbola | LameCurve | Polyline,
+    east: Superellipse | Superhyperbola | LameCurve | Polyline,
     eta: ArrayLike,
     omega: ArrayLike,
 ) -> NDArray[np.float64]: ...

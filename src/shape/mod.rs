@@ -1,6 +1,7 @@
 //! Shapes in their own frame, a file or folder a family.
 
 pub(crate) mod arc;
+mod branches;
 mod clipped_curve;
 mod curvature;
 mod curve;

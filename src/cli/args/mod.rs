@@ -62,7 +62,8 @@ superhyperboloid_two_sheets, supertoroid, three_exponent) can be given to info a
 
 A curve is {\"curve\": \"superellipse\", \"size\": [a, b], \"exponent\": e}, a \"superhyperbola\" with the
 same, or {\"curve\": \"lame\", \"size\": [a, b], \"numerator\": p, \"denominator\": q}. Branches without end
-stop at \"clip\" times the semi-axes, if that is given, else at a clip of their own.";
+stop at \"clip\" times the semi-axes, if that is given, else at a clip of their own. Any other curve is
+{\"curve\": \"polyline\", \"points\": [[x, y], ..], \"closed\": true or false}.";
 
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
