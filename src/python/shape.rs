@@ -14,7 +14,6 @@ use super::families::to_python;
 use super::surface::{self, Fineness, MeshArrays};
 use crate::model::Model;
 use crate::output::write_whole;
-use crate::pose::Pose;
 use crate::report::{ModelDocument, primitive_from_json};
 use crate::shape::{Parametric, Shape, Solid};
 
@@ -225,8 +224,7 @@ impl PyShape {
     /// The dual, on which the normals lie, centred at the origin (B81, JLS Eq. 2.39): an object of its
     /// kind.
     fn dual(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
-        let pose = Pose::new(*self.0.pose.rotation(), Vector3::zeros());
-        to_python(py, Model { shape: self.0.shape.dual()?, pose })
+        to_python(py, self.0.dual()?)
     }
 
     /// `n` random points of the boundary, the caps of a clip included, uniform by area: float64 of
@@ -236,12 +234,14 @@ impl PyShape {
         surface::sample(py, &self.0, n, seed)
     }
 
-    /// Points of the surface in rows around the model's z axis, of shape (rows, 4 n, 3), `n` steps
-    /// to a quarter of a turn: around a supertoroid's tube, or from the lower rim of one sheet to the
-    /// upper; other families have none. `parameterization` tells how points are spread along the
-    /// rows, and the rows (JLS section 2.5): "trigonometric" by the angles of `position`,
-    /// "angle_centre" by angles at the centre, "explicit" by the coordinate that changes faster (`n`
-    /// made even), "equal_distance" along the curves. Points uniform by area are those of `sample`.
+    /// Points of the surface in rows, of shape (rows, points, 3), `n` steps to a quarter of a turn, or
+    /// from the middle of a branch to its rim. Rows lead around the model's z axis, from the south pole
+    /// to the north pole, from the lower rim of one sheet to the upper, or around a supertoroid's tube;
+    /// those of two sheets from rim to rim, the first sheet's before the second's. `parameterization`
+    /// tells how points are spread along the rows, and the rows (JLS section 2.5): "trigonometric" by
+    /// the angles of `position`, "angle_centre" by angles at the centre, "explicit" by the coordinate
+    /// that changes faster (`n` made even around), "equal_distance" along the curves. Points uniform by
+    /// area are those of `sample`.
     #[pyo3(signature = (n, parameterization = "equal_distance"))]
     fn grid<'py>(&self, py: Python<'py>, n: usize, parameterization: &str) -> PyResult<Array<'py>> {
         surface::grid(py, &self.0, n, parameterization)

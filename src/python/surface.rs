@@ -69,7 +69,7 @@ pub(super) fn sample<'py>(
     table(py, points)
 }
 
-/// Rows of points of a model's surface in the world, in an array of shape (rows, 4 n, 3).
+/// Rows of points of a model's surface in the world, in an array of shape (rows, points, 3).
 pub(super) fn grid<'py>(
     py: Python<'py>,
     model: &Model<Shape>,
@@ -80,7 +80,6 @@ pub(super) fn grid<'py>(
     require_room(n.saturating_mul(n).saturating_mul(16))?;
     let Model { shape, pose } = model;
     let rows = py.detach(|| parameterization.shape(shape, n));
-    let rows = rows.map_err(|error| ModelError::new_err(error.to_string()))?;
     let counts = [rows.len(), rows.first().map_or(0, Vec::len), 3];
     let points = rows.iter().flatten();
     let values = points.flat_map(|x| <[f64; 3]>::from(pose.world_from_model(x))).collect();

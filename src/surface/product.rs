@@ -139,7 +139,7 @@ mod tests {
     fn star() -> (ClippedCurve, f64) {
         let corner = |i: u32| {
             let (sin, cos) = (f64::from(i) * std::f64::consts::PI / 5.0).sin_cos();
-            let radius = if i % 2 == 0 { 1.0 } else { 0.4 };
+            let radius = if i.is_multiple_of(2) { 1.0 } else { 0.4 };
             [radius * cos, radius * sin]
         };
         let area = 5.0 * 0.4 * (std::f64::consts::PI / 5.0).sin();
