@@ -299,9 +299,7 @@ def spherical_product(
 
 @final
 class Deformed:
-    def __new__(
-        cls, model: Shape | Fit, deformations: Sequence[Mapping[str, Any]]
-    ) -> Deformed: ...
+    def __new__(cls, model: Shape | Fit, deformations: Sequence[Mapping[str, Any]]) -> Deformed: ...
     @property
     def model(self) -> Shape: ...
     @property

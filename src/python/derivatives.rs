@@ -3,15 +3,15 @@
 use nalgebra::{Matrix3, Vector3};
 use pyo3::prelude::*;
 
-use super::arrays::{Array, Doubles, map_angles_to_rows};
+use super::arrays::{Angles, Array, Doubles, map_angles_to_rows};
 use crate::model::Model;
 use crate::shape::{FundamentalForms, Parametric, Solid};
 
 /// Tangents `r_eta, r_omega`, of shape (..., 2, 3).
 pub(super) fn tangents<'py, S: Parametric + Sync>(
     model: &Model<S>,
-    eta: &Bound<'py, PyAny>,
-    omega: &Bound<'py, PyAny>,
+    eta: Angles<'_, 'py>,
+    omega: Angles<'_, 'py>,
 ) -> PyResult<Array<'py>> {
     let Model { shape, pose } = model;
     map_angles_to_rows(eta, omega, |eta, omega| {
@@ -22,8 +22,8 @@ pub(super) fn tangents<'py, S: Parametric + Sync>(
 /// Second derivatives `r_eta_eta, r_eta_omega, r_omega_omega`, of shape (..., 3, 3).
 pub(super) fn second_derivatives<'py, S: Parametric + Sync>(
     model: &Model<S>,
-    eta: &Bound<'py, PyAny>,
-    omega: &Bound<'py, PyAny>,
+    eta: Angles<'_, 'py>,
+    omega: Angles<'_, 'py>,
 ) -> PyResult<Array<'py>> {
     let Model { shape, pose } = model;
     map_angles_to_rows(eta, omega, |eta, omega| {
@@ -35,8 +35,8 @@ pub(super) fn second_derivatives<'py, S: Parametric + Sync>(
 /// First fundamental forms `[[E, F], [F, G]]`, of shape (..., 2, 2): the same in every pose.
 pub(super) fn first_fundamental_form<'py>(
     surface: &(impl Parametric + Sync),
-    eta: &Bound<'py, PyAny>,
-    omega: &Bound<'py, PyAny>,
+    eta: Angles<'_, 'py>,
+    omega: Angles<'_, 'py>,
 ) -> PyResult<Array<'py>> {
     map_angles_to_rows(eta, omega, |eta, omega| {
         symmetric(FundamentalForms::at(surface, eta, omega).first)
@@ -46,8 +46,8 @@ pub(super) fn first_fundamental_form<'py>(
 /// Second fundamental forms `[[D, D1], [D1, D2]]`, of shape (..., 2, 2): the same in every pose.
 pub(super) fn second_fundamental_form<'py>(
     surface: &(impl Parametric + Sync),
-    eta: &Bound<'py, PyAny>,
-    omega: &Bound<'py, PyAny>,
+    eta: Angles<'_, 'py>,
+    omega: Angles<'_, 'py>,
 ) -> PyResult<Array<'py>> {
     map_angles_to_rows(eta, omega, |eta, omega| {
         symmetric(FundamentalForms::at(surface, eta, omega).second)

@@ -6,10 +6,11 @@ use nalgebra::Vector3;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple, PyType};
 
-use super::arrays::{Array, Doubles, Table, Vector, require_room, table, vector};
+use super::arrays::{Array, Doubles, Table, Vector, vector};
 use super::document::{from_python, read_text};
 use super::pose::pose_of;
 use super::shape::PyShape;
+use super::surface;
 use crate::model::Model;
 use crate::report::model_from_json;
 use crate::shape::Superellipsoid;
@@ -58,10 +59,6 @@ impl PyModel {
 
     fn initializer(model: Model) -> PyClassInitializer<Self> {
         PyClassInitializer::from(PyShape(model.into())).add_subclass(Self(model))
-    }
-
-    fn world_from_model(&self, points: Vec<Vector3<f64>>) -> Vec<[f64; 3]> {
-        points.iter().map(|x| self.0.pose.world_from_model(x).into()).collect()
     }
 }
 
@@ -148,8 +145,8 @@ impl PyModel {
     /// the same seed.
     #[pyo3(signature = (n, seed = 0))]
     fn sample_solid<'py>(&self, py: Python<'py>, n: usize, seed: u64) -> PyResult<Table<'py>> {
-        require_room(n)?;
-        table(py, py.detach(|| self.world_from_model(sample_solid(&self.0.shape, n, seed))))
+        let Model { shape, pose } = &self.0;
+        surface::sample(py, pose, n, |n| sample_solid(shape, n, seed))
     }
 
     /// The same solid, described by the one parameter vector that stands for all equivalent

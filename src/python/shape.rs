@@ -6,16 +6,18 @@ use nalgebra::Vector3;
 use pyo3::prelude::*;
 use pyo3::types::PyType;
 
-use super::arrays::{Array, Doubles, Table, Vector, map_angles, shaped, square, table, vector};
+use super::arrays::{
+    Angles, Array, Doubles, Table, Vector, map_angles, shaped, square, vector, vectors,
+};
 use super::deformed::any_to_python;
 use super::derivatives;
-use super::document::{from_python, read_text, to_python as to_dictionary};
+use super::document::{from_python, read_text, save, to_python as to_dictionary};
 use super::families::to_python;
 use super::surface::{self, Fineness, MeshArrays};
 use crate::model::Model;
-use crate::output::write_whole;
 use crate::report::{ModelDocument, primitive_from_json};
 use crate::shape::{Parametric, Shape, Solid};
+use crate::surface::sample_shape_surface;
 
 /// A solid of any family, in general position: what its kinds `Superellipsoid`,
 /// `SuperhyperboloidOneSheet`, `SuperhyperboloidTwoSheets`, `Supertoroid` and `ThreeExponent` can
@@ -88,18 +90,15 @@ impl PyShape {
         point: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Table<'py>> {
         let mass = self.0.mass_properties();
-        let point = match point {
-            Some(point) => Doubles::new("point", point)?.vector::<3>()?.into(),
-            None => mass.centroid(),
-        };
-        square(py, &mass.inertia_about(&point))
+        let point = point.map(|point| Doubles::new("point", point)?.vector::<3>()).transpose()?;
+        square(py, &mass.inertia_about(&point.map_or(mass.centroid(), Vector3::from)))
     }
 
     /// The least box along the world's axes that holds the solid: float64 of shape (2, 3), its least
     /// and greatest corner.
     #[getter]
     fn bounding_box<'py>(&self, py: Python<'py>) -> PyResult<Table<'py>> {
-        table(py, self.0.bounding_box().map(Into::into).to_vec())
+        vectors(py, &self.0.bounding_box())
     }
 
     /// The natural ranges of latitude and longitude, float64 of shape (2, 2): of two sheets those
@@ -111,22 +110,14 @@ impl PyShape {
 
     /// Surface points, of shape (..., 3), at latitudes `eta` and longitudes `omega`, broadcast
     /// together.
-    fn position<'py>(
-        &self,
-        eta: &Bound<'py, PyAny>,
-        omega: &Bound<'py, PyAny>,
-    ) -> PyResult<Array<'py>> {
+    fn position<'py>(&self, eta: Angles<'_, 'py>, omega: Angles<'_, 'py>) -> PyResult<Array<'py>> {
         let Model { shape, pose } = &self.0;
         map_angles(eta, omega, |eta, omega| pose.world_from_model(&shape.position(eta, omega)))
     }
 
     /// Outward unit normals, of shape (..., 3), at latitudes `eta` and longitudes `omega`,
     /// broadcast together.
-    fn normal<'py>(
-        &self,
-        eta: &Bound<'py, PyAny>,
-        omega: &Bound<'py, PyAny>,
-    ) -> PyResult<Array<'py>> {
+    fn normal<'py>(&self, eta: Angles<'_, 'py>, omega: Angles<'_, 'py>) -> PyResult<Array<'py>> {
         map_angles(eta, omega, |eta, omega| self.rotated(self.0.shape.normal(eta, omega)))
     }
 
@@ -146,11 +137,7 @@ impl PyShape {
 
     /// Tangents by eta and by omega, of shape (..., 2, 3), at latitudes `eta` and longitudes
     /// `omega`, broadcast together.
-    fn tangents<'py>(
-        &self,
-        eta: &Bound<'py, PyAny>,
-        omega: &Bound<'py, PyAny>,
-    ) -> PyResult<Array<'py>> {
+    fn tangents<'py>(&self, eta: Angles<'_, 'py>, omega: Angles<'_, 'py>) -> PyResult<Array<'py>> {
         derivatives::tangents(&self.0, eta, omega)
     }
 
@@ -158,8 +145,8 @@ impl PyShape {
     /// (..., 3, 3), at latitudes `eta` and longitudes `omega`, broadcast together.
     fn second_derivatives<'py>(
         &self,
-        eta: &Bound<'py, PyAny>,
-        omega: &Bound<'py, PyAny>,
+        eta: Angles<'_, 'py>,
+        omega: Angles<'_, 'py>,
     ) -> PyResult<Array<'py>> {
         derivatives::second_derivatives(&self.0, eta, omega)
     }
@@ -168,8 +155,8 @@ impl PyShape {
     /// broadcast together: `[[E, F], [F, G]]`, the products of the tangents with each other (B81).
     fn first_fundamental_form<'py>(
         &self,
-        eta: &Bound<'py, PyAny>,
-        omega: &Bound<'py, PyAny>,
+        eta: Angles<'_, 'py>,
+        omega: Angles<'_, 'py>,
     ) -> PyResult<Array<'py>> {
         derivatives::first_fundamental_form(&self.0.shape, eta, omega)
     }
@@ -180,8 +167,8 @@ impl PyShape {
     /// Domain, of both: where no tangent vanishes or is infinite.
     fn second_fundamental_form<'py>(
         &self,
-        eta: &Bound<'py, PyAny>,
-        omega: &Bound<'py, PyAny>,
+        eta: Angles<'_, 'py>,
+        omega: Angles<'_, 'py>,
     ) -> PyResult<Array<'py>> {
         derivatives::second_fundamental_form(&self.0.shape, eta, omega)
     }
@@ -203,8 +190,7 @@ impl PyShape {
     /// Whether points of shape (..., 3) are inside, the clip included: 1 or 0, in an array of
     /// shape (...).
     fn contains<'py>(&self, points: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
-        Doubles::new("points", points)?
-            .map_rows(points.py(), |x| f64::from(u8::from(self.0.contains(x))))
+        Doubles::new("points", points)?.map_rows_to_flags(points.py(), |x| self.0.contains(x))
     }
 
     /// Signed distances of points of shape (..., 3) from the unclipped surface, along the ray from
@@ -231,7 +217,8 @@ impl PyShape {
     /// shape (n, 3), the same for the same seed. Domain: exponents up to 2; of three, from 1.
     #[pyo3(signature = (n, seed = 0))]
     fn sample<'py>(&self, py: Python<'py>, n: usize, seed: u64) -> PyResult<Table<'py>> {
-        surface::sample(py, &self.0, n, seed)
+        let Model { shape, pose } = &self.0;
+        surface::sample(py, pose, n, |n| sample_shape_surface(shape, n, seed))
     }
 
     /// Points of the surface in rows, of shape (rows, points, 3), `n` steps to a quarter of a turn, or
@@ -295,8 +282,7 @@ impl PyShape {
 
     /// Write the model as JSON, whole or not at all.
     fn save(&self, path: PathBuf) -> PyResult<()> {
-        let json = self.to_json();
-        Ok(write_whole(path, |writer| writer.write_all(json.as_bytes()))?)
+        save(path, &self.to_json())
     }
 
     /// The model of any family in a JSON file, as an object of its kind: deformed or not.

@@ -111,6 +111,19 @@ def test_superellipsoids_stay_superellipsoids(model):
     assert superquadric.Shape.from_json(model.to_json()) == model
 
 
+def test_superellipsoids_are_shapes_like_the_others(model):
+    assert isinstance(model, superquadric.Shape)
+    assert isinstance(model.dual(), superquadric.Superellipsoid)
+    assert model.family == "superellipsoid"
+    np.testing.assert_array_equal(model.domain, np.pi * np.array([[-0.5, 0.5], [-1, 1]]))
+    points = np.random.default_rng(3).normal(size=(500, 3)) + model.translation
+    inside = model.contains(points)
+    np.testing.assert_array_equal(inside == 1, model.inside_outside(points) < 1)
+    assert 0 < inside.sum() < 500
+    with pytest.raises(TypeError):
+        superquadric.Shape()
+
+
 @pytest.mark.parametrize(
     ("kind", "arguments", "message"),
     [
