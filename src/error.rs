@@ -43,6 +43,24 @@ pub enum ModelError {
         /// The denominator found.
         denominator: u32,
     },
+    /// Too few or too many points of a polyline.
+    #[error("a polyline has from {least} to {most} points, found {found}")]
+    PointCount {
+        /// The least number.
+        least: usize,
+        /// The greatest number.
+        most: usize,
+        /// The number found.
+        found: usize,
+    },
+    /// A point of a polyline that is not as it must be.
+    #[error("points[{index}] must {must}")]
+    Point {
+        /// Index of the point.
+        index: usize,
+        /// What it must.
+        must: &'static str,
+    },
     /// A matrix that is not a proper rotation.
     #[error("the rotation must be orthonormal and right-handed (R'R departs from 1 by {defect:e})")]
     NotARotation {

@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use crate::error::ModelError;
 use crate::pose::Pose;
 use crate::shape::{MassProperties, Shape, Solid, Superellipsoid};
 
@@ -33,6 +34,18 @@ impl Model {
 impl From<Model> for Model<Shape> {
     fn from(Model { shape, pose }: Model) -> Self {
         Self { shape: shape.into(), pose }
+    }
+}
+
+impl Model<Shape> {
+    /// The [dual](Shape::dual) of the shape, turned as the shape is, at the origin: normals of the
+    /// world, of the right length, lie on it.
+    ///
+    /// # Errors
+    /// If the shape has no dual.
+    pub fn dual(&self) -> Result<Self, ModelError> {
+        let pose = Pose::new(*self.pose.rotation(), Vector3::zeros());
+        Ok(Self { shape: self.shape.dual()?, pose })
     }
 }
 

@@ -1,38 +1,15 @@
 //! Plane curves and their spherical products, by the program as a user runs it.
 
+#[path = "common/program.rs"]
+mod program;
+
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
 
 use nalgebra::Vector3;
+use program::{assert_done, assert_refused, run, str, written};
 use superquadric::shape::Superellipsoid;
 use tempfile::TempDir;
-
-fn run(arguments: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_superquadric"));
-    command.args(arguments).output().expect("the program starts")
-}
-
-fn written(folder: &TempDir, name: &str, text: &str) -> PathBuf {
-    let path = folder.path().join(name);
-    fs::write(&path, text).expect("a file");
-    path
-}
-
-fn str(path: &Path) -> &str {
-    path.to_str().expect("a path of text")
-}
-
-fn assert_done(output: &Output) {
-    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
-    assert!(output.stderr.is_empty());
-}
-
-fn assert_refused(output: &Output, name: &str) {
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{message}");
-    assert!(message.contains(name), "{message:?} does not name {name:?}");
-}
 
 /// The rows `branch, x, y` that the program prints for a curve.
 fn printed_points(curve: &str, points: &str) -> Vec<[f64; 3]> {
@@ -129,6 +106,56 @@ fn the_product_of_two_superellipses_is_the_superellipsoid() {
     }
 }
 
+/// A file of the samples.
+fn sample(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/curves").join(name)
+}
+
+#[test]
+fn a_polyline_is_written_as_its_points_whatever_their_number_is_to_be() {
+    let star = fs::read_to_string(sample("star.json")).unwrap();
+    let rows = printed_points(&star, "200");
+    assert_eq!((rows.len(), rows[0], rows[2]), (10, [0.0, 0.0, 1.0], [0.0, -0.951057, 0.309017]));
+    let folder = TempDir::new().unwrap();
+    let drawing = folder.path().join("star.svg");
+    assert_done(&run(&["curve", str(&sample("star.json")), "-o", str(&drawing)]));
+    let text = fs::read_to_string(drawing).unwrap();
+    assert_eq!((text.matches('L').count(), text.matches("Z\"").count()), (9, 1));
+}
+
+/// B81 Fig. 1.
+#[test]
+fn an_ellipse_and_a_star_make_the_stars_of_all_heights() {
+    let folder = TempDir::new().unwrap();
+    let mesh = folder.path().join("mesh.obj");
+    let [north, east] = ["ellipse.json", "star.json"].map(sample);
+    let output = run(&["product", str(&north), str(&east), "--resolution", "8", "-o", str(&mesh)]);
+    assert_done(&output);
+    let (vertices, faces) = read_obj(&mesh);
+    // Fifteen stars of ten corners and two poles.
+    assert_eq!((vertices.len(), faces), (15 * 10 + 2, 2 * 15 * 10));
+    for x in vertices {
+        let scale = (1.0 - (x.z / 0.7).powi(2)).max(0.0).sqrt();
+        let corner = x.xy().norm();
+        let is_corner = [1.0, 0.4].iter().any(|radius| (corner - radius * scale).abs() < 1e-6);
+        assert!(is_corner, "{x}");
+    }
+}
+
+#[test]
+fn polylines_without_points_enough_are_refused() {
+    let folder = TempDir::new().unwrap();
+    let points = |points: &str| {
+        let text = format!(r#"{{"curve": "polyline", "points": {points}}}"#);
+        let path = written(&folder, "line.json", &text);
+        run(&["curve", str(&path), "-o", "-"])
+    };
+    assert_refused(&points("[[0, 1]]"), &["line.json: a polyline has from 2 to 10000 points"]);
+    assert_refused(&points("[[0, 1], [0, 1]]"), &["line.json: points[0] must differ"]);
+    assert_refused(&points(&format!("[{}[0, 1]]", "[1, 2],".repeat(10_000))), &["found 10001"]);
+    assert_refused(&points("[[0, 1], [1e400, 1]]"), &["line.json"]);
+}
+
 #[test]
 fn what_is_no_curve_or_no_format_is_refused_and_nothing_written() {
     let folder = TempDir::new().unwrap();
@@ -136,11 +163,11 @@ fn what_is_no_curve_or_no_format_is_refused_and_nothing_written() {
     let good = written(&folder, "good.json", text);
     let bad = written(&folder, "bad.json", r#"{"curve": "cone", "size": [1, 1]}"#);
     let [csv, mesh, other] = ["out.csv", "out.ply", "out.txt"].map(|name| folder.path().join(name));
-    assert_refused(&run(&["curve", str(&bad), "-o", str(&csv)]), "`superhyperbola`");
-    assert_refused(&run(&["curve", str(&good), "-o", str(&other)]), "csv or svg");
-    assert_refused(&run(&["curve", str(&good), "-n", "3", "-o", str(&csv)]), "4..=");
-    assert_refused(&run(&["product", str(&good), str(&bad), "-o", str(&mesh)]), "bad.json");
-    assert_refused(&run(&["product", str(&good), str(&good), "-o", str(&other)]), "stl");
+    assert_refused(&run(&["curve", str(&bad), "-o", str(&csv)]), &["`superhyperbola`"]);
+    assert_refused(&run(&["curve", str(&good), "-o", str(&other)]), &["csv or svg"]);
+    assert_refused(&run(&["curve", str(&good), "-n", "3", "-o", str(&csv)]), &["4..="]);
+    assert_refused(&run(&["product", str(&good), str(&bad), "-o", str(&mesh)]), &["bad.json"]);
+    assert_refused(&run(&["product", str(&good), str(&good), "-o", str(&other)]), &["stl"]);
     for path in [csv, mesh, other] {
         assert!(!path.exists());
     }

@@ -7,11 +7,12 @@ use thiserror::Error;
 
 use crate::batch::BatchError;
 use crate::cloud::ReadError;
+use crate::error::ModelError;
 use crate::exchange::{ExportError, ImportError};
 use crate::outline::UnknownContourFormat;
 use crate::output::OutputError;
 use crate::recover::FitError;
-use crate::report::{DocumentError, UnknownCurveFormat};
+use crate::report::{DocumentError, NotUniform, UnknownCurveFormat, UnknownPointTableFormat};
 use crate::surface::ToleranceError;
 use crate::surface::format::{InscriptionError, UnknownMeshFormat};
 use crate::view::{ImageError, RimError};
@@ -61,6 +62,20 @@ pub(super) enum CliError {
     CurveFormat(#[from] UnknownCurveFormat),
     #[error(transparent)]
     MeshFormat(#[from] UnknownMeshFormat),
+    #[error(transparent)]
+    PointTableFormat(#[from] UnknownPointTableFormat),
+    #[error("{name}: {source}")]
+    NotUniform { name: String, source: NotUniform },
+    #[error("{0}: points are those of one model, this solid is made of several")]
+    Several(String),
+    #[error("--seed is for --by area: rows are not drawn at random")]
+    SeedOfRows,
+    #[error("--number {found}: rows have up to {most} steps to a quarter of a turn")]
+    Steps { most: u32, found: u32 },
+    #[error("model and points cannot both come from stdin")]
+    OneStdin,
+    #[error("{name}: has no dual, in which {source}")]
+    Dual { name: String, source: ModelError },
     #[error(transparent)]
     Tolerance(#[from] ToleranceError),
     #[error("{0}: --tolerance is for one shape, this solid is made of several; take --resolution")]

@@ -12,6 +12,7 @@ use crate::report::{
     DocumentError, any_model_from_json, curve_from_json, scene_from_json, scene_from_toml,
 };
 use crate::shape::{ClippedCurve, Shape};
+use crate::solid::{Primitive, Tree};
 use crate::surface::format::MeshFormat;
 
 /// Most bytes that a model's document may have: a fit has less than a thousand.
@@ -39,6 +40,14 @@ pub(super) fn read_cloud(path: &Path) -> Result<PointCloud, CliError> {
 /// The model of any family in a JSON file or on stdin.
 pub(super) fn read_any_model(path: &Path) -> Result<Model<Shape>, CliError> {
     read_document(path, any_model_from_json)
+}
+
+/// The one model, deformed or not, in a JSON or TOML file, or in JSON on stdin.
+pub(super) fn read_primitive(path: &Path) -> Result<Primitive<Shape>, CliError> {
+    match read_scene(path)?.solid() {
+        Tree::Leaf(primitive) => Ok(primitive),
+        _ => Err(CliError::Several(name(path))),
+    }
 }
 
 /// The scene, or solid alone, in a JSON or TOML file, or in JSON on stdin.

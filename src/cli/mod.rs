@@ -6,7 +6,9 @@ mod batch;
 mod completions;
 mod contour;
 mod curve;
+mod dual;
 mod error;
+mod evaluate;
 mod export;
 mod fit;
 mod fit_many;
@@ -19,6 +21,7 @@ mod overlay;
 mod product;
 mod progress;
 mod render;
+mod sample;
 mod scene;
 mod threads;
 
@@ -54,6 +57,9 @@ fn run(command: Command) -> Result<u8, CliError> {
         Command::Fit(args) => fit::run(&args),
         Command::Mesh(args) => mesh::run(&args),
         Command::Info(args) => info::run(&args),
+        Command::Sample(args) => sample::run(&args),
+        Command::Evaluate(args) => evaluate::run(&args),
+        Command::Dual(args) => dual::run(&args),
         Command::Contour(args) => contour::run(&args),
         Command::Curve(args) => curve::run(&args),
         Command::Product(args) => product::run(&args),

@@ -1,6 +1,6 @@
 //! Outputs: a file that is written whole or not at all, or stdout.
 
-use std::io::{self, Write};
+use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
 use super::error::CliError;
@@ -8,6 +8,7 @@ use super::input::is_stream;
 use crate::cloud::{self, PointCloud};
 use crate::model::Model;
 use crate::output::write_whole;
+use crate::report::{PointTable, PointTableFormat};
 use crate::shape::Shape;
 use crate::surface::Mesh;
 use crate::surface::format::MeshFormat;
@@ -24,6 +25,28 @@ pub(super) fn write_text(path: &Path, text: &str) -> Result<(), CliError> {
 pub(super) fn print(text: &str) -> Result<(), CliError> {
     let mut stdout = io::stdout().lock();
     stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()).map_err(CliError::Stdout)
+}
+
+/// The format in which points are written to a file: CSV to stdout.
+pub(super) fn point_table_format(path: &Path) -> Result<PointTableFormat, CliError> {
+    match is_stream(path) {
+        true => Ok(PointTableFormat::Csv),
+        false => Ok(PointTableFormat::from_extension(path)?),
+    }
+}
+
+/// Writes points to a file, or to stdout where `-` was typed.
+pub(super) fn write_point_table(
+    path: &Path,
+    format: PointTableFormat,
+    table: &PointTable,
+) -> Result<(), CliError> {
+    if is_stream(path) {
+        let mut stdout = BufWriter::new(io::stdout().lock());
+        let written = table.write(format, &mut stdout).and_then(|()| stdout.flush());
+        return written.map_err(CliError::Stdout);
+    }
+    Ok(write_whole(path, |writer| table.write(format, writer))?)
 }
 
 /// Writes the points as PLY, each with whether it is of the surface.

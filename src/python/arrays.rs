@@ -11,6 +11,9 @@ use pyo3::prelude::*;
 use super::errors::ArrayError;
 use crate::cloud::PointCloud;
 
+/// Angles as an argument: anything that `numpy.asarray` takes.
+pub(super) type Angles<'a, 'py> = &'a Bound<'py, PyAny>;
+
 /// Doubles of any shape.
 pub(super) type Array<'py> = Bound<'py, PyArrayDyn<f64>>;
 
@@ -100,6 +103,18 @@ impl<'py> Doubles<'py> {
         shaped(py, results, &self.shape()[..self.shape().len() - 1])
     }
 
+    /// 1 or 0 for each row, in an array of shape (...); not a number for rows that are not finite.
+    ///
+    /// # Errors
+    /// Those of [`rows`](Self::rows).
+    pub fn map_rows_to_flags(
+        &self,
+        py: Python<'py>,
+        is_true: impl Fn(&Vector3<f64>) -> bool + Sync,
+    ) -> PyResult<Array<'py>> {
+        self.map_rows(py, |row| f64::from(u8::from(is_true(row))))
+    }
+
     /// A vector for each row, in an array of the same shape; not numbers for rows that are not
     /// finite.
     ///
@@ -178,37 +193,44 @@ pub(super) fn point_cloud(name: &'static str, value: &Bound<'_, PyAny>) -> PyRes
 /// # Errors
 /// `TypeError` if these are not real numbers, `ValueError` if they cannot be broadcast.
 pub(super) fn map_angles<'py>(
-    eta: &Bound<'py, PyAny>,
-    omega: &Bound<'py, PyAny>,
+    eta: Angles<'_, 'py>,
+    omega: Angles<'_, 'py>,
     map: impl Fn(f64, f64) -> Vector3<f64> + Sync,
 ) -> PyResult<Array<'py>> {
-    let vectors = map_angles_to(eta, omega, |eta, omega| [map(eta, omega)])?;
-    let shape: Vec<usize> = match vectors.shape() {
-        [broadcast @ .., 1, 3] => [broadcast, &[3]].concat(),
-        other => other.to_vec(),
-    };
-    vectors.reshape(shape)
+    let (vectors, shape) = at_angles(eta, omega, |eta, omega| <[f64; 3]>::from(map(eta, omega)))?;
+    shaped(eta.py(), vectors.into_flattened(), &[&shape[..], &[3]].concat())
 }
 
-/// N vectors for each latitude and longitude, broadcast together to shape (...), in an array of
-/// shape (..., N, 3).
+/// M rows of N numbers for each latitude and longitude, broadcast together to shape (...), in an
+/// array of shape (..., M, N).
 ///
 /// # Errors
 /// Those of [`map_angles`].
-pub(super) fn map_angles_to<'py, const N: usize>(
-    eta: &Bound<'py, PyAny>,
-    omega: &Bound<'py, PyAny>,
-    map: impl Fn(f64, f64) -> [Vector3<f64>; N] + Sync,
+pub(super) fn map_angles_to_rows<'py, const M: usize, const N: usize>(
+    eta: Angles<'_, 'py>,
+    omega: Angles<'_, 'py>,
+    map: impl Fn(f64, f64) -> [[f64; N]; M] + Sync,
 ) -> PyResult<Array<'py>> {
+    let (rows, shape) = at_angles(eta, omega, map)?;
+    let values = rows.into_flattened().into_flattened();
+    shaped(eta.py(), values, &[&shape[..], &[M, N]].concat())
+}
+
+/// What `map` makes of each latitude and longitude, in C order, and the shape that these have
+/// together.
+fn at_angles<T: Send>(
+    eta: Angles,
+    omega: Angles,
+    map: impl Fn(f64, f64) -> T + Sync,
+) -> PyResult<(Vec<T>, Vec<usize>)> {
     let py = eta.py();
     let pair = py.import("numpy")?.call_method1("broadcast_arrays", (eta, omega))?;
     let eta = Doubles::new("eta", &pair.get_item(0)?)?;
     let omega = Doubles::new("omega", &pair.get_item(1)?)?;
     let (etas, omegas) = (eta.values()?, omega.values()?);
-    let vectors = |(&eta, &omega): (&f64, &f64)| map(eta, omega).map(<[f64; 3]>::from);
-    let vectors: Vec<[[f64; 3]; N]> = py.detach(|| etas.iter().zip(omegas).map(vectors).collect());
-    let values = vectors.into_flattened().into_flattened();
-    shaped(py, values, &[eta.shape(), &[N, 3]].concat())
+    let at = |(&eta, &omega): (&f64, &f64)| map(eta, omega);
+    let results = py.detach(|| etas.iter().zip(omegas).map(at).collect());
+    Ok((results, eta.shape().to_vec()))
 }
 
 /// Numbers as an array of shape (n,).
@@ -229,6 +251,16 @@ pub(super) fn shaped<'py, T: Element>(
 pub(super) fn table<T: Element>(py: Python<'_>, rows: Vec<[T; 3]>) -> PyResult<Table<'_, T>> {
     let count = rows.len();
     PyArray1::from_vec(py, rows.into_flattened()).reshape([count, 3])
+}
+
+/// A matrix as an array of shape (3, 3).
+pub(super) fn square<'py>(py: Python<'py>, matrix: &Matrix3<f64>) -> PyResult<Table<'py>> {
+    table(py, <[[f64; 3]; 3]>::from(matrix.transpose()).to_vec())
+}
+
+/// Vectors as an array of shape (n, 3).
+pub(super) fn vectors<'py>(py: Python<'py>, vectors: &[Vector3<f64>]) -> PyResult<Table<'py>> {
+    table(py, vectors.iter().map(|&vector| vector.into()).collect())
 }
 
 /// Makes sure that so many points have room in memory.

@@ -1,11 +1,10 @@
 //! `superquadric.contour` and `superquadric.rim`.
 
-use nalgebra::Vector3;
 use numpy::{PyArray1, PyArray2};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
-use super::arrays::{Array, Doubles, Table, require_room, shaped, table};
+use super::arrays::{Array, Doubles, Table, require_room, shaped, vectors};
 use super::camera::camera_of;
 use super::errors::ViewError;
 use super::solid::solid_of;
@@ -149,10 +148,6 @@ pub(super) fn rim(
     };
     let curves = py.detach(|| rim_curves(&solid, &viewpoint, n))?;
     Ok(curves.into_iter().map(PyRimCurve).collect())
-}
-
-fn vectors<'py>(py: Python<'py>, points: &[Vector3<f64>]) -> PyResult<Table<'py>> {
-    table(py, points.iter().map(|x| (*x).into()).collect())
 }
 
 /// Polygons and lines in an image, each of shape (n, 2).

@@ -5,8 +5,9 @@ use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 
 use super::arrays::{Array, Doubles, Vector, map_angles, shaped, vector};
+use super::polyline::PyPolyline;
 use crate::shape::{
-    Curve, CurvePoint, LameArc, LameCurve, Parametric, SphericalProduct, Superellipse,
+    Curve, CurvePoint, LameArc, LameCurve, Parametric, Polyline, SphericalProduct, Superellipse,
     Superhyperbola,
 };
 
@@ -179,38 +180,42 @@ pub(super) fn spherical_product<'py>(
     map_angles(eta, omega, |eta, omega| surface.position(eta, omega))
 }
 
-/// A curve of any of the three classes.
+/// A curve of any of the four classes.
 #[derive(FromPyObject)]
 pub(super) enum AnyCurve<'py> {
     Superellipse(PyRef<'py, PySuperellipse>),
     Superhyperbola(PyRef<'py, PySuperhyperbola>),
     Lame(PyRef<'py, PyLameCurve>),
+    Polyline(PyRef<'py, PyPolyline>),
 }
 
 impl AnyCurve<'_> {
-    fn arc(&self) -> AnyArc {
+    fn arc(&self) -> AnyArc<'_> {
         match self {
             Self::Superellipse(curve) => AnyArc::Superellipse(curve.0),
             Self::Superhyperbola(curve) => AnyArc::Superhyperbola(curve.0),
             // Every Lame curve has the arc of the first quadrant.
             Self::Lame(curve) => AnyArc::Lame(curve.0.arcs()[0]),
+            Self::Polyline(curve) => AnyArc::Polyline(&curve.0),
         }
     }
 }
 
 /// A curve of one parameter.
-enum AnyArc {
+enum AnyArc<'a> {
     Superellipse(Superellipse),
     Superhyperbola(Superhyperbola),
     Lame(LameArc),
+    Polyline(&'a Polyline),
 }
 
-impl Curve for AnyArc {
+impl Curve for AnyArc<'_> {
     fn range(&self) -> [f64; 2] {
         match self {
             Self::Superellipse(curve) => curve.range(),
             Self::Superhyperbola(curve) => curve.range(),
             Self::Lame(arc) => arc.range(),
+            Self::Polyline(line) => line.range(),
         }
     }
 
@@ -219,12 +224,13 @@ impl Curve for AnyArc {
             Self::Superellipse(curve) => curve.at(t),
             Self::Superhyperbola(curve) => curve.at(t),
             Self::Lame(arc) => arc.at(t),
+            Self::Polyline(line) => line.at(t),
         }
     }
 }
 
 /// A pair of numbers for each parameter, in an array of shape (..., 2).
-fn map_parameters<'py>(
+pub(super) fn map_parameters<'py>(
     theta: &Bound<'py, PyAny>,
     curve: &(impl Curve + Sync),
     part: impl Fn(CurvePoint) -> Vector2<f64> + Sync,

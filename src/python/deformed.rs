@@ -5,13 +5,12 @@ use std::path::PathBuf;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyType};
 
-use super::arrays::{Array, Doubles, Table, map_angles, table, vector};
-use super::document::{from_python, read_text, to_python as to_dictionary};
+use super::arrays::{Array, Doubles, Table, map_angles, square, vector, vectors};
+use super::document::{from_python, read_text, save, to_python as to_dictionary};
 use super::families::to_python;
-use super::model::square;
 use super::solid::any_model_of;
+use super::surface::{MeshArrays, mesh_arrays, sample};
 use crate::model::Model;
-use crate::output::write_whole;
 use crate::report::{ModelDocument, primitive_from_json};
 use crate::shape::Shape;
 use crate::solid::Primitive;
@@ -103,16 +102,14 @@ impl PyDeformed {
 
     /// Whether points of shape (..., 3) are inside: 1 or 0, in an array of shape (...).
     fn contains<'py>(&self, points: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
-        Doubles::new("points", points)?
-            .map_rows(points.py(), |x| f64::from(u8::from(self.0.contains(x))))
+        Doubles::new("points", points)?.map_rows_to_flags(points.py(), |x| self.0.contains(x))
     }
 
     /// A box along the world's axes that holds the solid and is hardly larger: float64 of shape
     /// (2, 3).
     #[getter]
     fn bounding_box<'py>(&self, py: Python<'py>) -> PyResult<Table<'py>> {
-        let bounds = py.detach(|| self.0.bounding_box());
-        table(py, bounds.map(Into::into).to_vec())
+        vectors(py, &py.detach(|| self.0.bounding_box()))
     }
 
     /// Volume, area, centroid and inertia by quadrature, to a relative tolerance.
@@ -138,26 +135,20 @@ impl PyDeformed {
     #[pyo3(signature = (n, seed = 0))]
     fn sample<'py>(&self, py: Python<'py>, n: usize, seed: u64) -> PyResult<Table<'py>> {
         let Primitive { deformed, pose } = &self.0;
-        let points = py.detach(|| sample_deformed_surface(deformed, n, seed));
-        table(py, points.iter().map(|x| pose.world_from_model(x).into()).collect())
+        sample(py, pose, n, |n| sample_deformed_surface(deformed, n, seed))
     }
 
     /// A closed mesh of the boundary: vertices, float64 of shape (v, 3), and triangles, uint32 of
     /// shape (t, 3), counter-clockwise as seen from outside.
     #[pyo3(signature = (resolution = 32))]
-    fn mesh<'py>(
-        &self,
-        py: Python<'py>,
-        resolution: usize,
-    ) -> PyResult<(Table<'py>, Table<'py, u32>)> {
+    fn mesh<'py>(&self, py: Python<'py>, resolution: usize) -> PyResult<MeshArrays<'py>> {
         let resolution = Resolution::new(resolution)?;
         let Primitive { deformed, pose } = &self.0;
         let mesh = py.detach(|| {
             let undeformed = tessellate_shape(deformed.shape(), resolution);
             deformed_mesh(deformed, &undeformed).transformed(pose)
         });
-        let vertices = mesh.vertices().iter().map(|&x| x.into()).collect();
-        Ok((table(py, vertices)?, table(py, mesh.triangles().to_vec())?))
+        mesh_arrays(py, &mesh)
     }
 
     /// The model as JSON text, `{"shape": .., "deformations": .., "pose": ..}`.
@@ -184,8 +175,7 @@ impl PyDeformed {
 
     /// Write the model as JSON, whole or not at all.
     fn save(&self, path: PathBuf) -> PyResult<()> {
-        let json = self.to_json()?;
-        Ok(write_whole(path, |writer| writer.write_all(json.as_bytes()))?)
+        save(path, &self.to_json()?)
     }
 
     /// The model of any family in a JSON file, as an object of its kind: deformed or not.

@@ -3,32 +3,60 @@
 use nalgebra::{Matrix3, Vector3};
 use pyo3::prelude::*;
 
-use super::arrays::{Array, Doubles, map_angles_to};
+use super::arrays::{Angles, Array, Doubles, map_angles_to_rows};
 use crate::model::Model;
-use crate::shape::{Parametric, Solid};
+use crate::shape::{FundamentalForms, Parametric, Solid};
 
 /// Tangents `r_eta, r_omega`, of shape (..., 2, 3).
 pub(super) fn tangents<'py, S: Parametric + Sync>(
     model: &Model<S>,
-    eta: &Bound<'py, PyAny>,
-    omega: &Bound<'py, PyAny>,
+    eta: Angles<'_, 'py>,
+    omega: Angles<'_, 'py>,
 ) -> PyResult<Array<'py>> {
     let Model { shape, pose } = model;
-    map_angles_to(eta, omega, |eta, omega| {
-        shape.tangents(eta, omega).map(|tangent| pose.rotation() * tangent)
+    map_angles_to_rows(eta, omega, |eta, omega| {
+        shape.tangents(eta, omega).map(|tangent| (pose.rotation() * tangent).into())
     })
 }
 
 /// Second derivatives `r_eta_eta, r_eta_omega, r_omega_omega`, of shape (..., 3, 3).
 pub(super) fn second_derivatives<'py, S: Parametric + Sync>(
     model: &Model<S>,
-    eta: &Bound<'py, PyAny>,
-    omega: &Bound<'py, PyAny>,
+    eta: Angles<'_, 'py>,
+    omega: Angles<'_, 'py>,
 ) -> PyResult<Array<'py>> {
     let Model { shape, pose } = model;
-    map_angles_to(eta, omega, |eta, omega| {
-        shape.second_derivatives(eta, omega).map(|derivative| pose.rotation() * derivative)
+    map_angles_to_rows(eta, omega, |eta, omega| {
+        let derivatives = shape.second_derivatives(eta, omega);
+        derivatives.map(|derivative| (pose.rotation() * derivative).into())
     })
+}
+
+/// First fundamental forms `[[E, F], [F, G]]`, of shape (..., 2, 2): the same in every pose.
+pub(super) fn first_fundamental_form<'py>(
+    surface: &(impl Parametric + Sync),
+    eta: Angles<'_, 'py>,
+    omega: Angles<'_, 'py>,
+) -> PyResult<Array<'py>> {
+    map_angles_to_rows(eta, omega, |eta, omega| {
+        symmetric(FundamentalForms::at(surface, eta, omega).first)
+    })
+}
+
+/// Second fundamental forms `[[D, D1], [D1, D2]]`, of shape (..., 2, 2): the same in every pose.
+pub(super) fn second_fundamental_form<'py>(
+    surface: &(impl Parametric + Sync),
+    eta: Angles<'_, 'py>,
+    omega: Angles<'_, 'py>,
+) -> PyResult<Array<'py>> {
+    map_angles_to_rows(eta, omega, |eta, omega| {
+        symmetric(FundamentalForms::at(surface, eta, omega).second)
+    })
+}
+
+/// The matrix of a quadratic form `a eta^2 + 2 b eta omega + c omega^2`.
+fn symmetric([a, b, c]: [f64; 3]) -> [[f64; 2]; 2] {
+    [[a, b], [b, c]]
 }
 
 /// Second derivatives of F by the coordinates of points of shape (..., 3), of shape (..., 3, 3).

@@ -48,11 +48,15 @@ pub(super) fn export_model(model: &Bound<'_, PyAny>, to: &str) -> PyResult<Strin
 ///         parameters are outside their domain.
 ///     ValueError: if the program is none of these.
 #[pyfunction]
-pub(super) fn import_models(text: &str, source: &str) -> PyResult<Vec<PyModel>> {
+pub(super) fn import_models(
+    py: Python<'_>,
+    text: &str,
+    source: &str,
+) -> PyResult<Vec<Py<PyModel>>> {
     let format = ImportFormat::ALL.into_iter().find(|format| format.name() == source);
     let format =
         format.ok_or_else(|| unknown(&ImportFormat::ALL.map(ImportFormat::name), source))?;
-    Ok(format.models(text)?.into_iter().map(PyModel).collect())
+    format.models(text)?.into_iter().map(|model| PyModel::object(py, model)).collect()
 }
 
 /// Write a mesh of a model's surface, in the world, with the model's parameters in the file.

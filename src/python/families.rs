@@ -16,7 +16,7 @@ pub(super) fn to_python(py: Python<'_>, model: Model<Shape>) -> PyResult<Py<PyAn
     let base = PyClassInitializer::from(PyShape(model));
     Ok(match model.shape {
         Shape::Superellipsoid(shape) => {
-            Py::new(py, PyModel(Model { shape, pose: model.pose }))?.into_any()
+            PyModel::object(py, Model { shape, pose: model.pose })?.into_any()
         }
         Shape::SuperhyperboloidOneSheet(shape) => {
             Py::new(py, base.add_subclass(PyOneSheet(shape)))?.into_any()

@@ -129,8 +129,8 @@ impl PyFit {
 impl PyFit {
     /// The recovered model, in the points' frame and unit and in canonical form.
     #[getter(model)]
-    fn py_model(&self) -> PyModel {
-        PyModel(self.fit.model)
+    fn py_model(&self, py: Python<'_>) -> PyResult<Py<PyModel>> {
+        PyModel::object(py, self.fit.model)
     }
 
     /// Whether there is no reason to doubt the model.
@@ -295,7 +295,7 @@ impl PyFit {
             self.fit.points,
             if self.trusted() { "trusted" } else { "not trusted" },
             self.fit.rms_radial,
-            self.py_model().__repr__(),
+            PyModel(self.fit.model).__repr__(),
         )
     }
 }

@@ -15,6 +15,7 @@ mod fit;
 mod interrupt;
 mod knowledge;
 mod model;
+mod polyline;
 mod pose;
 mod read;
 mod scene;
@@ -54,6 +55,8 @@ mod core {
     use super::fit::{PyFit, fit};
     #[pymodule_export]
     use super::model::PyModel;
+    #[pymodule_export]
+    use super::polyline::PyPolyline;
     #[pymodule_export]
     use super::read::read;
     #[pymodule_export]

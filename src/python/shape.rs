@@ -6,20 +6,20 @@ use nalgebra::Vector3;
 use pyo3::prelude::*;
 use pyo3::types::PyType;
 
-use super::arrays::{Array, Doubles, Table, Vector, map_angles, shaped, table, vector};
+use super::arrays::{
+    Angles, Array, Doubles, Table, Vector, map_angles, shaped, square, vector, vectors,
+};
 use super::deformed::any_to_python;
 use super::derivatives;
-use super::document::{from_python, read_text, to_python as to_dictionary};
+use super::document::{from_python, read_text, save, to_python as to_dictionary};
 use super::families::to_python;
-use super::model::square;
 use super::surface::{self, Fineness, MeshArrays};
 use crate::model::Model;
-use crate::output::write_whole;
-use crate::pose::Pose;
 use crate::report::{ModelDocument, primitive_from_json};
 use crate::shape::{Parametric, Shape, Solid};
+use crate::surface::sample_shape_surface;
 
-/// A solid of a family besides the superellipsoids, in general position: what its kinds
+/// A solid of any family, in general position: what its kinds `Superellipsoid`,
 /// `SuperhyperboloidOneSheet`, `SuperhyperboloidTwoSheets`, `Supertoroid` and `ThreeExponent` can
 /// be asked.
 ///
@@ -42,13 +42,15 @@ impl PyShape {
         self.0.shape.family()
     }
 
-    /// Euler angles phi, theta, psi, in radians: float64 of shape (3,).
+    /// Euler angles phi, theta, psi, in radians: float64 of shape (3,). phi and psi are in
+    /// (-pi, pi], theta in [0, pi]; psi is 0 where theta is 0 or pi.
     #[getter]
     fn euler_zyz<'py>(&self, py: Python<'py>) -> Vector<'py> {
         vector(py, &self.0.pose.euler_zyz())
     }
 
-    /// Rotation from the model's frame to the world: float64 of shape (3, 3).
+    /// Rotation from the model's frame to the world: float64 of shape (3, 3), whose columns are the
+    /// model's axes.
     #[getter]
     fn rotation<'py>(&self, py: Python<'py>) -> PyResult<Table<'py>> {
         square(py, self.0.pose.rotation().matrix())
@@ -66,7 +68,7 @@ impl PyShape {
         self.0.shape.volume()
     }
 
-    /// Area of the whole boundary, the caps of a clip included.
+    /// Area of the whole boundary, the caps of a clip included, by quadrature.
     #[getter]
     fn surface_area(&self) -> f64 {
         self.0.shape.surface_area()
@@ -88,17 +90,15 @@ impl PyShape {
         point: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Table<'py>> {
         let mass = self.0.mass_properties();
-        let point = match point {
-            Some(point) => Doubles::new("point", point)?.vector::<3>()?.into(),
-            None => mass.centroid(),
-        };
-        square(py, &mass.inertia_about(&point))
+        let point = point.map(|point| Doubles::new("point", point)?.vector::<3>()).transpose()?;
+        square(py, &mass.inertia_about(&point.map_or(mass.centroid(), Vector3::from)))
     }
 
-    /// The least box along the world's axes that holds the solid: float64 of shape (2, 3).
+    /// The least box along the world's axes that holds the solid: float64 of shape (2, 3), its least
+    /// and greatest corner.
     #[getter]
     fn bounding_box<'py>(&self, py: Python<'py>) -> PyResult<Table<'py>> {
-        table(py, self.0.bounding_box().map(Into::into).to_vec())
+        vectors(py, &self.0.bounding_box())
     }
 
     /// The natural ranges of latitude and longitude, float64 of shape (2, 2): of two sheets those
@@ -110,22 +110,14 @@ impl PyShape {
 
     /// Surface points, of shape (..., 3), at latitudes `eta` and longitudes `omega`, broadcast
     /// together.
-    fn position<'py>(
-        &self,
-        eta: &Bound<'py, PyAny>,
-        omega: &Bound<'py, PyAny>,
-    ) -> PyResult<Array<'py>> {
+    fn position<'py>(&self, eta: Angles<'_, 'py>, omega: Angles<'_, 'py>) -> PyResult<Array<'py>> {
         let Model { shape, pose } = &self.0;
         map_angles(eta, omega, |eta, omega| pose.world_from_model(&shape.position(eta, omega)))
     }
 
     /// Outward unit normals, of shape (..., 3), at latitudes `eta` and longitudes `omega`,
     /// broadcast together.
-    fn normal<'py>(
-        &self,
-        eta: &Bound<'py, PyAny>,
-        omega: &Bound<'py, PyAny>,
-    ) -> PyResult<Array<'py>> {
+    fn normal<'py>(&self, eta: Angles<'_, 'py>, omega: Angles<'_, 'py>) -> PyResult<Array<'py>> {
         map_angles(eta, omega, |eta, omega| self.rotated(self.0.shape.normal(eta, omega)))
     }
 
@@ -145,11 +137,7 @@ impl PyShape {
 
     /// Tangents by eta and by omega, of shape (..., 2, 3), at latitudes `eta` and longitudes
     /// `omega`, broadcast together.
-    fn tangents<'py>(
-        &self,
-        eta: &Bound<'py, PyAny>,
-        omega: &Bound<'py, PyAny>,
-    ) -> PyResult<Array<'py>> {
+    fn tangents<'py>(&self, eta: Angles<'_, 'py>, omega: Angles<'_, 'py>) -> PyResult<Array<'py>> {
         derivatives::tangents(&self.0, eta, omega)
     }
 
@@ -157,10 +145,32 @@ impl PyShape {
     /// (..., 3, 3), at latitudes `eta` and longitudes `omega`, broadcast together.
     fn second_derivatives<'py>(
         &self,
-        eta: &Bound<'py, PyAny>,
-        omega: &Bound<'py, PyAny>,
+        eta: Angles<'_, 'py>,
+        omega: Angles<'_, 'py>,
     ) -> PyResult<Array<'py>> {
         derivatives::second_derivatives(&self.0, eta, omega)
+    }
+
+    /// First fundamental forms, of shape (..., 2, 2), at latitudes `eta` and longitudes `omega`,
+    /// broadcast together: `[[E, F], [F, G]]`, the products of the tangents with each other (B81).
+    fn first_fundamental_form<'py>(
+        &self,
+        eta: Angles<'_, 'py>,
+        omega: Angles<'_, 'py>,
+    ) -> PyResult<Array<'py>> {
+        derivatives::first_fundamental_form(&self.0.shape, eta, omega)
+    }
+
+    /// Second fundamental forms, of shape (..., 2, 2), at latitudes `eta` and longitudes `omega`,
+    /// broadcast together: `[[D, D1], [D1, D2]]`, the products of the second derivatives with the
+    /// inward normal (B81), so that the eigenvalues of `solve(first, second)` are `curvatures`.
+    /// Domain, of both: where no tangent vanishes or is infinite.
+    fn second_fundamental_form<'py>(
+        &self,
+        eta: Angles<'_, 'py>,
+        omega: Angles<'_, 'py>,
+    ) -> PyResult<Array<'py>> {
+        derivatives::second_fundamental_form(&self.0.shape, eta, omega)
     }
 
     /// Second derivatives of F at points of shape (..., 3), in an array of shape (..., 3, 3).
@@ -180,8 +190,7 @@ impl PyShape {
     /// Whether points of shape (..., 3) are inside, the clip included: 1 or 0, in an array of
     /// shape (...).
     fn contains<'py>(&self, points: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
-        Doubles::new("points", points)?
-            .map_rows(points.py(), |x| f64::from(u8::from(self.0.contains(x))))
+        Doubles::new("points", points)?.map_rows_to_flags(points.py(), |x| self.0.contains(x))
     }
 
     /// Signed distances of points of shape (..., 3) from the unclipped surface, along the ray from
@@ -192,31 +201,34 @@ impl PyShape {
     }
 
     /// The support function `max { n . x : x in the solid }` for directions n of shape (..., 3),
-    /// in an array of shape (...).
+    /// in an array of shape (...), in the unit of length times that of n.
     fn support<'py>(&self, directions: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
         Doubles::new("directions", directions)?
             .map_rows(directions.py(), |direction| self.0.support(direction))
     }
 
-    /// The dual, on which the normals lie, centred at the origin: an object of its kind.
+    /// The dual, on which the normals lie, centred at the origin (B81, JLS Eq. 2.39): an object of its
+    /// kind.
     fn dual(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
-        let pose = Pose::new(*self.0.pose.rotation(), Vector3::zeros());
-        to_python(py, Model { shape: self.0.shape.dual()?, pose })
+        to_python(py, self.0.dual()?)
     }
 
     /// `n` random points of the boundary, the caps of a clip included, uniform by area: float64 of
     /// shape (n, 3), the same for the same seed. Domain: exponents up to 2; of three, from 1.
     #[pyo3(signature = (n, seed = 0))]
     fn sample<'py>(&self, py: Python<'py>, n: usize, seed: u64) -> PyResult<Table<'py>> {
-        surface::sample(py, &self.0, n, seed)
+        let Model { shape, pose } = &self.0;
+        surface::sample(py, pose, n, |n| sample_shape_surface(shape, n, seed))
     }
 
-    /// Points of the surface in rows around the model's z axis, of shape (rows, 4 n, 3), `n` steps
-    /// to a quarter of a turn: around a supertoroid's tube, or from the lower rim of one sheet to the
-    /// upper; other families have none. `parameterization` tells how points are spread along the
-    /// rows, and the rows (JLS section 2.5): "trigonometric" by the angles of `position`,
-    /// "angle_centre" by angles at the centre, "explicit" by the coordinate that changes faster (`n`
-    /// made even), "equal_distance" along the curves. Points uniform by area are those of `sample`.
+    /// Points of the surface in rows, of shape (rows, points, 3), `n` steps to a quarter of a turn, or
+    /// from the middle of a branch to its rim. Rows lead around the model's z axis, from the south pole
+    /// to the north pole, from the lower rim of one sheet to the upper, or around a supertoroid's tube;
+    /// those of two sheets from rim to rim, the first sheet's before the second's. `parameterization`
+    /// tells how points are spread along the rows, and the rows (JLS section 2.5): "trigonometric" by
+    /// the angles of `position`, "angle_centre" by angles at the centre, "explicit" by the coordinate
+    /// that changes faster (`n` made even around), "equal_distance" along the curves. Points uniform by
+    /// area are those of `sample`.
     #[pyo3(signature = (n, parameterization = "equal_distance"))]
     fn grid<'py>(&self, py: Python<'py>, n: usize, parameterization: &str) -> PyResult<Array<'py>> {
         surface::grid(py, &self.0, n, parameterization)
@@ -270,8 +282,7 @@ impl PyShape {
 
     /// Write the model as JSON, whole or not at all.
     fn save(&self, path: PathBuf) -> PyResult<()> {
-        let json = self.to_json();
-        Ok(write_whole(path, |writer| writer.write_all(json.as_bytes()))?)
+        save(path, &self.to_json())
     }
 
     /// The model of any family in a JSON file, as an object of its kind: deformed or not.

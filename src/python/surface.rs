@@ -1,14 +1,15 @@
 //! Surfaces of any family as arrays of points and of triangles.
 
+use nalgebra::Vector3;
 use pyo3::prelude::*;
 
-use super::arrays::{Array, Table, require_room, shaped, table};
+use super::arrays::{Array, Table, require_room, shaped, table, vectors};
 use super::errors::ModelError;
 use crate::model::Model;
+use crate::pose::Pose;
 use crate::shape::Shape;
 use crate::surface::{
-    Mesh, MeshMethod, Parameterization, Resolution, sample_shape_surface, tessellate_shape,
-    tessellate_within,
+    Mesh, MeshMethod, Parameterization, Resolution, tessellate_shape, tessellate_within,
 };
 
 /// Vertices and triangles.
@@ -49,27 +50,28 @@ pub(super) fn mesh<'py>(
     fineness: &Fineness,
 ) -> PyResult<MeshArrays<'py>> {
     let mesh = py.detach(|| fineness.mesh(&model.shape))?.transformed(&model.pose);
-    let vertices = mesh.vertices().iter().map(|&x| x.into()).collect();
-    Ok((table(py, vertices)?, table(py, mesh.triangles().to_vec())?))
+    mesh_arrays(py, &mesh)
 }
 
-/// Points of a model's surface in the world, uniform by area.
+/// A mesh's vertices and triangles.
+pub(super) fn mesh_arrays<'py>(py: Python<'py>, mesh: &Mesh) -> PyResult<MeshArrays<'py>> {
+    Ok((vectors(py, mesh.vertices())?, table(py, mesh.triangles().to_vec())?))
+}
+
+/// So many points of a solid in the world, as a function of their number draws them in the model's
+/// frame.
 pub(super) fn sample<'py>(
     py: Python<'py>,
-    model: &Model<Shape>,
+    pose: &Pose,
     count: usize,
-    seed: u64,
+    draw: impl FnOnce(usize) -> Vec<Vector3<f64>> + Send,
 ) -> PyResult<Table<'py>> {
     require_room(count)?;
-    let Model { shape, pose } = model;
-    let points = py.detach(|| {
-        let points = sample_shape_surface(shape, count, seed);
-        points.iter().map(|x| pose.world_from_model(x).into()).collect()
-    });
-    table(py, points)
+    let world = || draw(count).iter().map(|x| pose.world_from_model(x)).collect::<Vec<_>>();
+    vectors(py, &py.detach(world))
 }
 
-/// Rows of points of a model's surface in the world, in an array of shape (rows, 4 n, 3).
+/// Rows of points of a model's surface in the world, in an array of shape (rows, points, 3).
 pub(super) fn grid<'py>(
     py: Python<'py>,
     model: &Model<Shape>,
@@ -80,7 +82,6 @@ pub(super) fn grid<'py>(
     require_room(n.saturating_mul(n).saturating_mul(16))?;
     let Model { shape, pose } = model;
     let rows = py.detach(|| parameterization.shape(shape, n));
-    let rows = rows.map_err(|error| ModelError::new_err(error.to_string()))?;
     let counts = [rows.len(), rows.first().map_or(0, Vec::len), 3];
     let points = rows.iter().flatten();
     let values = points.flat_map(|x| <[f64; 3]>::from(pose.world_from_model(x))).collect();

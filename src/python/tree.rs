@@ -5,13 +5,13 @@ use std::path::PathBuf;
 use pyo3::prelude::*;
 use pyo3::types::PyType;
 
-use super::arrays::{Array, Doubles, Table, table};
+use super::arrays::{Array, Doubles, Table, vectors};
 use super::deformed::PyDeformed;
-use super::document::{from_python, read_text, to_python};
+use super::document::{from_python, read_text, save, to_python};
 use super::errors::ModelError;
 use super::solid::any_model_of;
+use super::surface::{MeshArrays, mesh_arrays};
 use crate::deform::{Chain, Deformed};
-use crate::output::write_whole;
 use crate::report::{solid_from_json, solid_to_json};
 use crate::solid::{Primitive, Tree, volume_bounds};
 use crate::surface::boundary_mesh;
@@ -102,16 +102,14 @@ impl PySolid {
 
     /// Whether points of shape (..., 3) are inside: 1 or 0, in an array of shape (...).
     fn contains<'py>(&self, points: &Bound<'py, PyAny>) -> PyResult<Array<'py>> {
-        Doubles::new("points", points)?
-            .map_rows(points.py(), |x| f64::from(u8::from(self.0.contains(x))))
+        Doubles::new("points", points)?.map_rows_to_flags(points.py(), |x| self.0.contains(x))
     }
 
     /// A box along the world's axes that holds the solid, float64 of shape (2, 3); its ends are
     /// the wrong way round where boxes tell that nothing is left.
     #[getter]
     fn bounding_box<'py>(&self, py: Python<'py>) -> PyResult<Table<'py>> {
-        let bounds = py.detach(|| self.0.bounding_box());
-        table(py, bounds.map(Into::into).to_vec())
+        vectors(py, &py.detach(|| self.0.bounding_box()))
     }
 
     /// A lower and an upper bound on the volume, no further apart than `tolerance` times the
@@ -125,10 +123,9 @@ impl PySolid {
     /// float64 of shape (v, 3), and triangles, uint32 of shape (t, 3), counter-clockwise as seen
     /// from outside. Parts thinner than a cell may be missed.
     #[pyo3(signature = (cells = 100))]
-    fn mesh<'py>(&self, py: Python<'py>, cells: usize) -> PyResult<(Table<'py>, Table<'py, u32>)> {
+    fn mesh<'py>(&self, py: Python<'py>, cells: usize) -> PyResult<MeshArrays<'py>> {
         let mesh = py.detach(|| boundary_mesh(&self.0, self.0.bounding_box(), cells));
-        let vertices = mesh.vertices().iter().map(|&x| x.into()).collect();
-        Ok((table(py, vertices)?, table(py, mesh.triangles().to_vec())?))
+        mesh_arrays(py, &mesh)
     }
 
     /// The solid as JSON text.
@@ -155,8 +152,7 @@ impl PySolid {
 
     /// Write the solid as JSON, whole or not at all.
     fn save(&self, path: PathBuf) -> PyResult<()> {
-        let json = self.to_json()?;
-        Ok(write_whole(path, |writer| writer.write_all(json.as_bytes()))?)
+        save(path, &self.to_json()?)
     }
 
     /// The solid, or model, in a JSON file.

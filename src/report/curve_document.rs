@@ -1,13 +1,14 @@
 //! The JSON form of plane curves.
 
+use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
 
 use super::document::to_json;
 use super::model_document::DocumentError;
 use crate::error::ModelError;
-use crate::shape::{ClippedCurve, LameCurve, PlaneCurve, Superellipse, Superhyperbola};
+use crate::shape::{ClippedCurve, LameCurve, PlaneCurve, Polyline, Superellipse, Superhyperbola};
 
-/// A curve, `{"curve": .., "size": [a, b], ..}`; a clip that is not given is
+/// A curve, `{"curve": .., ..}`; a clip that is not given is
 /// [`ClippedCurve::new`]'s own.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "curve", rename_all = "snake_case", deny_unknown_fields)]
@@ -29,6 +30,11 @@ enum CurveDocument {
         denominator: u32,
         clip: Option<f64>,
     },
+    Polyline {
+        points: Vec<[f64; 2]>,
+        #[serde(default)]
+        closed: bool,
+    },
 }
 
 impl From<&ClippedCurve> for CurveDocument {
@@ -45,6 +51,10 @@ impl From<&ClippedCurve> for CurveDocument {
                 let (numerator, denominator) = (c.numerator(), c.denominator());
                 Self::Lame { size: c.size(), numerator, denominator, clip }
             }
+            PlaneCurve::Polyline(line) => Self::Polyline {
+                points: line.points().iter().map(|&x| x.into()).collect(),
+                closed: line.is_closed(),
+            },
         }
     }
 }
@@ -63,6 +73,10 @@ impl TryFrom<CurveDocument> for ClippedCurve {
             CurveDocument::Lame { size, numerator, denominator, clip } => {
                 Self::new(PlaneCurve::Lame(LameCurve::new(size, numerator, denominator)?), clip)
             }
+            CurveDocument::Polyline { points, closed } => {
+                let points = points.into_iter().map(Vector2::from).collect();
+                Self::new(PlaneCurve::Polyline(Polyline::new(points, closed)?), None)
+            }
         }
     }
 }
@@ -70,7 +84,8 @@ impl TryFrom<CurveDocument> for ClippedCurve {
 /// The curve in a JSON text: `{"curve": "superellipse", "size": [a, b], "exponent": e}`,
 /// `{"curve": "superhyperbola", ..}` with the same and perhaps a `clip`, or `{"curve": "lame",
 /// "size": [a, b], "numerator": p, "denominator": q}`, also perhaps with a `clip`: see
-/// [`ClippedCurve`].
+/// [`ClippedCurve`]. Any other curve is a `{"curve": "polyline", "points": [[x, y], ..]}`, perhaps
+/// `"closed": true`: see [`Polyline`].
 ///
 /// # Errors
 /// If the text is not JSON, lacks a key or has one too many, or has parameters outside their
@@ -97,12 +112,15 @@ mod tests {
             r#"{"curve": "superhyperbola", "size": [2, 0.3], "exponent": 1.7, "clip": 3.5}"#,
             r#"{"curve": "lame", "size": [2, 0.3], "numerator": -2, "denominator": 6}"#,
             r#"{"curve": "lame", "size": [2, 0.3], "numerator": 3, "denominator": 1, "clip": 5}"#,
+            r#"{"curve": "polyline", "points": [[0, 1], [0.1, -3e7]]}"#,
+            r#"{"curve": "polyline", "points": [[0, 1], [2, 3], [4, 5]], "closed": true}"#,
         ];
         for text in texts {
             let curve = curve_from_json(text).unwrap();
             assert_eq!(curve_from_json(&curve_to_json(&curve)).unwrap(), curve);
         }
-        let PlaneCurve::Lame(curve) = curve_from_json(texts[3]).unwrap().curve() else {
+        let reduced = curve_from_json(texts[3]).unwrap();
+        let PlaneCurve::Lame(curve) = reduced.curve() else {
             panic!("a Lame curve");
         };
         assert_eq!((curve.numerator(), curve.denominator()), (-1, 3));
@@ -120,6 +138,12 @@ mod tests {
             (r#"{"curve": "superellipse", "size": [1, -1], "exponent": 1}"#, "size[1]"),
             (r#"{"curve": "superhyperbola", "size": [1, 1], "exponent": 1, "clip": 1}"#, "above 1"),
             (r#"{"curve": "lame", "size": [1, 1], "numerator": 1, "denominator": 0}"#, "1/0"),
+            (r#"{"curve": "polyline"}"#, "`points`"),
+            (r#"{"curve": "polyline", "points": [[0, 1]]}"#, "found 1"),
+            (r#"{"curve": "polyline", "points": [[0, 1], [0, 1]]}"#, "points[0]"),
+            (r#"{"curve": "polyline", "points": [[0, 1], [1e999, 1]]}"#, "out of range"),
+            (r#"{"curve": "polyline", "points": [[0, 1], [1, null]]}"#, "null"),
+            (r#"{"curve": "polyline", "points": [[0, 1], [1, 1, 1]]}"#, "length 3"),
         ];
         for (text, expected) in cases {
             let message = curve_from_json(text).unwrap_err().to_string();

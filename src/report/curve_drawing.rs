@@ -57,7 +57,7 @@ impl CurveFormat {
 fn csv(branches: &[Polyline]) -> String {
     let mut text = String::from("branch,x,y\n");
     for (branch, line) in branches.iter().enumerate() {
-        for x in &line.points {
+        for x in line.points() {
             // Writing to a string does not fail.
             let _ = writeln!(text, "{branch},{},{}", x.x, x.y);
         }
@@ -67,20 +67,20 @@ fn csv(branches: &[Polyline]) -> String {
 
 /// The branches, to a thousandth of a pixel, scaled to the drawing.
 fn svg(branches: &[Polyline]) -> String {
-    let points = || branches.iter().flat_map(|line| &line.points);
+    let points = || branches.iter().flat_map(Polyline::points);
     let extent = |f: fn(f64, f64) -> f64, axis: usize| points().map(|x| x[axis]).reduce(f);
     let [left, right] = [f64::min, f64::max].map(|f| extent(f, 0).unwrap_or(0.0));
     let [bottom, top] = [f64::min, f64::max].map(|f| extent(f, 1).unwrap_or(0.0));
     let scale = LONGER_SIDE / (right - left).max(top - bottom).max(f64::MIN_POSITIVE);
     let mut path = String::new();
     for line in branches {
-        for (i, x) in line.points.iter().enumerate() {
+        for (i, x) in line.points().iter().enumerate() {
             let command = if i == 0 { 'M' } else { 'L' };
             let [column, row] = [x.x - left, top - x.y].map(|length| length * scale + MARGIN);
             // Writing to a string does not fail.
             let _ = write!(path, "{command}{column:.3} {row:.3}");
         }
-        if line.is_closed {
+        if line.is_closed() {
             path.push('Z');
         }
     }

@@ -27,7 +27,7 @@ pub enum DocumentError {
     #[error("expected a model, {{\"shape\": {{..}}, \"pose\": {{..}}}}: {0}")]
     Model(serde_json::Error),
     /// Not JSON, or without the keys or types of a plane curve.
-    #[error("expected a curve, {{\"curve\": .., \"size\": [a, b], ..}}: {0}")]
+    #[error("expected a curve, {{\"curve\": .., ..}}: {0}")]
     Curve(serde_json::Error),
     /// A fit of a schema that this version does not know.
     #[error("expected schema \"superquadric.fit/1\", found {0}")]

@@ -1,10 +1,10 @@
-//! The named plane curves, whole or as far as a clip.
+//! Plane curves, whole or as far as a clip.
 
-use super::{LameCurve, Superellipse, Superhyperbola};
+use super::{LameCurve, Polyline, Superellipse, Superhyperbola};
 use crate::error::ModelError;
 
-/// A plane curve that has a name.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// A plane curve that has a name, or any other as a polyline.
+#[derive(Debug, Clone, PartialEq)]
 pub enum PlaneCurve {
     /// `|x/a|^(2/e) + |y/b|^(2/e) = 1`.
     Superellipse(Superellipse),
@@ -12,6 +12,8 @@ pub enum PlaneCurve {
     Superhyperbola(Superhyperbola),
     /// `(x/a)^m + (y/b)^m = 1`.
     Lame(LameCurve),
+    /// Straight edges from point to point.
+    Polyline(Polyline),
 }
 
 impl PlaneCurve {
@@ -26,7 +28,7 @@ impl PlaneCurve {
 }
 
 /// The part `|x/a| <= clip`, `|y/b| <= clip` of a plane curve, which is all of a bounded one.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct ClippedCurve {
     curve: PlaneCurve,
     clip: f64,
@@ -49,8 +51,8 @@ impl ClippedCurve {
     }
 
     /// The curve.
-    pub fn curve(&self) -> PlaneCurve {
-        self.curve
+    pub fn curve(&self) -> &PlaneCurve {
+        &self.curve
     }
 
     /// The clip, a ratio.

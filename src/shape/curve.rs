@@ -4,7 +4,7 @@ use nalgebra::Vector2;
 
 use crate::math::signed_power;
 
-/// A plane curve over a parameter in radians.
+/// A plane curve over a parameter, in radians unless it says otherwise.
 pub trait Curve {
     /// The natural range of the parameter.
     fn range(&self) -> [f64; 2];

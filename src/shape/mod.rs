@@ -1,6 +1,7 @@
 //! Shapes in their own frame, a file or folder a family.
 
 pub(crate) mod arc;
+mod branches;
 mod clipped_curve;
 mod curvature;
 mod curve;
@@ -45,6 +46,7 @@ pub(crate) use superellipsoid::area_element;
 pub use superhyperbola::Superhyperbola;
 pub use supertoroid::Supertoroid;
 pub use three_exponent::ThreeExponent;
+pub(crate) use three_exponent::log_shift;
 pub use two_sheets::SuperhyperboloidTwoSheets;
 
 #[cfg(test)]

@@ -1,262 +1,156 @@
-//! Points along plane curves, from quarters that are mirrored: what is symmetric stays so, and
-//! points on the axes are exactly there.
-
-use std::f64::consts::FRAC_PI_2;
+//! Points in a row, and the curve of straight edges between them.
 
 use nalgebra::Vector2;
 
-use super::clipped_curve::{ClippedCurve, PlaneCurve};
-use super::{Curve, LameCurve, Superellipse, Superhyperbola};
+use super::curve::{Curve, CurvePoint};
+use crate::error::ModelError;
 
-/// Points along a curve, in the unit of its size.
+/// Points in a row, in a unit of the caller: a curve of straight edges, open or closed.
+///
+/// As a [`Curve`] its parameter counts the points: it is k at the point of index k, and moves evenly
+/// along the edges between.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Polyline {
-    /// The points, in order; of a closed curve none is repeated.
-    pub points: Vec<Vector2<f64>>,
-    /// Whether the first point follows the last.
-    pub is_closed: bool,
+    points: Vec<Vector2<f64>>,
+    is_closed: bool,
 }
 
 impl Polyline {
-    fn open(points: Vec<Vector2<f64>>) -> Self {
-        Self { points, is_closed: false }
-    }
-}
+    /// Most points of a polyline that is given: the spherical product of two of them still has a
+    /// mesh.
+    pub const MOST_POINTS: usize = 10_000;
 
-impl ClippedCurve {
-    /// The branches of the curve, each with so many segments (at least one) to a quadrant, at even
-    /// steps of the parameter, counter-clockwise about the origin.
-    pub fn polylines(&self, segments: usize) -> Vec<Polyline> {
-        match self.curve() {
-            PlaneCurve::Superellipse(curve) => vec![ring(&ellipse_quarter(&curve, segments))],
-            PlaneCurve::Superhyperbola(curve) => {
-                let branch = mirrored(&hyperbola_quarter(&curve, self.clip(), segments));
-                let other = branch.iter().map(|x| -x).collect();
-                vec![Polyline::open(branch), Polyline::open(other)]
-            }
-            PlaneCurve::Lame(curve) => lame_polylines(&curve, self.clip(), segments),
+    /// A polyline through points, of which a closed one leads from the last to the first by itself.
+    ///
+    /// # Errors
+    /// If there are fewer than two points, three of a closed one, or more than
+    /// [`MOST_POINTS`](Self::MOST_POINTS); if one is not finite, or the same as the one before it.
+    pub fn new(points: Vec<Vector2<f64>>, is_closed: bool) -> Result<Self, ModelError> {
+        let (least, most) = (if is_closed { 3 } else { 2 }, Self::MOST_POINTS);
+        if !(least..=most).contains(&points.len()) {
+            return Err(ModelError::PointCount { least, most, found: points.len() });
+        }
+        let is_finite = |x: &Vector2<f64>| x.iter().all(|coordinate| coordinate.is_finite());
+        if let Some(index) = points.iter().position(|x| !is_finite(x)) {
+            return Err(ModelError::Point { index, must: "be finite numbers" });
+        }
+        let line = Self { points, is_closed };
+        let must = "differ from the next point; a closed polyline does not repeat its first";
+        match (0..line.edges()).find(|&edge| line.edge(edge).0 == line.edge(edge).1) {
+            Some(index) => Err(ModelError::Point { index, must }),
+            None => Ok(line),
         }
     }
 
-    /// The branches as a meridian, from south to north: of a curve that is symmetric about the y
-    /// axis the half `x >= 0`, whose spherical product is the whole surface (B81).
-    pub fn meridians(&self, segments: usize) -> Vec<Polyline> {
-        let half = |curve: &Superellipse| {
-            vec![Polyline::open(mirrored(&ellipse_quarter(curve, segments)))]
-        };
-        match self.curve() {
-            PlaneCurve::Superellipse(curve) => half(&curve),
-            PlaneCurve::Lame(curve) if matches!(curve.kind(), 1 | 2) => half(&ellipse_of(&curve)),
-            PlaneCurve::Superhyperbola(_) => self.polylines(segments)[..1].to_vec(),
-            PlaneCurve::Lame(curve) if curve.kind() == 7 => {
-                let is_right = |line: &Polyline| line.points[0].x > 0.0;
-                self.polylines(segments).into_iter().filter(is_right).collect()
-            }
-            PlaneCurve::Lame(_) => self.polylines(segments),
-        }
+    /// A polyline whose points are known to be as they must.
+    pub(super) fn of(points: Vec<Vector2<f64>>, is_closed: bool) -> Self {
+        Self { points, is_closed }
+    }
+
+    /// The points, in order; of a closed curve none is repeated.
+    pub fn points(&self) -> &[Vector2<f64>] {
+        &self.points
+    }
+
+    /// Whether the first point follows the last.
+    pub fn is_closed(&self) -> bool {
+        self.is_closed
+    }
+
+    fn edges(&self) -> usize {
+        self.points.len() - usize::from(!self.is_closed)
+    }
+
+    /// The ends of the edge of an index.
+    fn edge(&self, index: usize) -> (Vector2<f64>, Vector2<f64>) {
+        (self.points[index], self.points[(index + 1) % self.points.len()])
     }
 }
 
-fn lame_polylines(curve: &LameCurve, clip: f64, segments: usize) -> Vec<Polyline> {
-    let inner = || ellipse_quarter(&ellipse_of(curve), segments);
-    let unbounded = || unbounded_quarter(curve, clip, segments);
-    match curve.kind() {
-        1 | 2 => vec![ring(&inner())],
-        3 | 4 => vec![Polyline::open(inner())],
-        5 | 6 => vec![Polyline::open(with_tails(curve, &inner(), clip, segments))],
-        7 => {
-            let first = unbounded();
-            let second: Vec<_> = first.iter().rev().map(|x| flipped(x, [-1.0, 1.0])).collect();
-            let turned = |line: &[Vector2<f64>]| line.iter().map(|x| -x).collect();
-            let [third, fourth] = [turned(&first), turned(&second)];
-            [first, second, third, fourth].map(Polyline::open).into()
+impl Curve for Polyline {
+    /// From 0 to the number of edges.
+    fn range(&self) -> [f64; 2] {
+        [0.0, self.edges() as f64]
+    }
+
+    /// At a point, the tangent of the edge that begins there, or ends where none begins. A closed
+    /// polyline goes round again beyond its range, an open one has no points there, but NaN.
+    fn at(&self, t: f64) -> CurvePoint {
+        let edges = self.edges() as f64;
+        let within = if self.is_closed { t.rem_euclid(edges) } else { t };
+        // Written so that NaN is refused too.
+        let is_on = (0.0..=edges).contains(&within);
+        if !is_on {
+            let nowhere = Vector2::repeat(f64::NAN);
+            return CurvePoint { position: nowhere, tangent: nowhere, second: nowhere };
         }
-        8 => vec![Polyline::open(unbounded())],
-        _ => {
-            let through_origin = through_origin(curve, clip, segments);
-            vec![Polyline::open(unbounded()), Polyline::open(through_origin)]
+        let index = within.min(edges - 1.0).floor();
+        let (from, to) = self.edge(index as usize);
+        let share = within - index;
+        CurvePoint {
+            position: from * (1.0 - share) + to * share,
+            tangent: to - from,
+            second: Vector2::zeros(),
         }
     }
-}
-
-/// The superellipse of which a Lame curve of positive m has the quarter `x, y >= 0`.
-fn ellipse_of(curve: &LameCurve) -> Superellipse {
-    Superellipse::of(curve.size(), 2.0 / curve.exponent())
-}
-
-/// Points at even steps of the parameter, both ends included.
-fn along(curve: &impl Curve, [first, last]: [f64; 2], segments: usize) -> Vec<Vector2<f64>> {
-    let share = |i: usize| i as f64 / segments as f64;
-    let parameter = |i: usize| first * (1.0 - share(i)) + last * share(i);
-    (0..=segments).map(|i| curve.at(parameter(i)).position).collect()
-}
-
-/// From `(a, 0)` to `(0, b)`.
-fn ellipse_quarter(curve: &Superellipse, segments: usize) -> Vec<Vector2<f64>> {
-    let mut points = along(curve, [0.0, FRAC_PI_2], segments);
-    points[segments].x = 0.0;
-    points
-}
-
-/// From `(a, 0)` to `x = clip a`, where `tan^2 = clip^(2/e) - 1`.
-fn hyperbola_quarter(curve: &Superhyperbola, clip: f64, segments: usize) -> Vec<Vector2<f64>> {
-    let ([a, b], e) = (curve.size(), curve.exponent());
-    let log_power = 2.0 / e * clip.ln();
-    let mut points = along(curve, [0.0, log_power.exp_m1().sqrt().atan()], segments);
-    // The angle itself loses digits near a right one.
-    points[segments] = clip * Vector2::new(a, b * (-(-log_power).exp_m1()).powf(0.5 * e));
-    points
-}
-
-/// The arc `x, y > 0` of a curve of negative m, from `x = clip a` to `y = clip b`, where the cosine
-/// and the sine are `clip^(m/2)`.
-fn unbounded_quarter(curve: &LameCurve, clip: f64, segments: usize) -> Vec<Vector2<f64>> {
-    let least = clip.powf(0.5 * curve.exponent()).max(f64::MIN_POSITIVE);
-    along(&curve.arcs()[0], [least.acos(), least.asin()], segments)
-}
-
-/// The arcs of a curve of odd, positive m: one that comes from below, the inner one, and one that
-/// leaves to the left.
-fn with_tails(
-    curve: &LameCurve,
-    inner: &[Vector2<f64>],
-    clip: f64,
-    segments: usize,
-) -> Vec<Vector2<f64>> {
-    let ([a, b], e) = (curve.size(), 2.0 / curve.exponent());
-    let tail = |size| hyperbola_quarter(&Superhyperbola::of(size, e), clip, segments);
-    let below = tail([a, b]).into_iter().skip(1).rev().map(|x| flipped(&x, [1.0, -1.0]));
-    let left = tail([b, a]).into_iter().skip(1).map(|x| Vector2::new(-x.y, x.x));
-    below.chain(inner.iter().copied()).chain(left).collect()
-}
-
-/// The outer arcs of a curve of odd, negative m, from `y = -clip b` through the origin to
-/// `x = -clip a`, where the tangent is `clip^(m/2)`.
-fn through_origin(curve: &LameCurve, clip: f64, segments: usize) -> Vec<Vector2<f64>> {
-    let first = clip.powf(0.5 * curve.exponent()).max(f64::MIN_POSITIVE).atan();
-    let [below, left] = [1, 2].map(|i| along(&curve.arcs()[i], [first, FRAC_PI_2], segments));
-    let before = below.into_iter().take(segments);
-    let after = left.into_iter().take(segments).rev();
-    before.chain([Vector2::zeros()]).chain(after).collect()
-}
-
-/// A point with its coordinates times two signs.
-fn flipped(x: &Vector2<f64>, signs: [f64; 2]) -> Vector2<f64> {
-    x.component_mul(&Vector2::from(signs))
-}
-
-/// A quarter that begins on the x axis, after its mirror image below that.
-fn mirrored(quarter: &[Vector2<f64>]) -> Vec<Vector2<f64>> {
-    let below = quarter[1..].iter().rev().map(|x| flipped(x, [1.0, -1.0]));
-    below.chain(quarter.iter().copied()).collect()
-}
-
-/// The closed curve of a quarter from the x axis to the y axis.
-fn ring(quarter: &[Vector2<f64>]) -> Polyline {
-    let half = mirrored(quarter);
-    let right = &half[..half.len() - 1];
-    let points = right.iter().copied().chain(right.iter().map(|x| -x)).collect();
-    Polyline { points, is_closed: true }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const SIZE: [f64; 2] = [2.0, 0.3];
-    const SEGMENTS: usize = 16;
-
-    /// An exponent of each of JLS's nine kinds, steep ones too, and the branches that each has.
-    const KINDS: [(i32, u32, usize); 13] = [
-        (8, 3, 1),
-        (40, 1, 1),
-        (2, 3, 1),
-        (5, 2, 1),
-        (1, 2, 1),
-        (3, 1, 1),
-        (39, 1, 1),
-        (1, 3, 1),
-        (-2, 1, 4),
-        (-3, 2, 1),
-        (-1, 3, 2),
-        (-5, 1, 2),
-        (-3000, 1, 4),
-    ];
-
-    fn ratios(x: &Vector2<f64>) -> Vector2<f64> {
-        Vector2::new(x.x / SIZE[0], x.y / SIZE[1])
+    fn line(points: &[[f64; 2]], is_closed: bool) -> Result<Polyline, ModelError> {
+        Polyline::new(points.iter().map(|&x| x.into()).collect(), is_closed)
     }
 
-    /// Points that turn counter-clockwise about the origin, or run through it.
-    fn assert_counter_clockwise(line: &Polyline) {
-        for pair in line.points.windows(2) {
-            assert!(pair[0].perp(&pair[1]) >= 0.0, "{pair:?}");
-        }
-    }
+    const CORNERS: [[f64; 2]; 3] = [[0.0, 0.0], [2.0, 0.0], [2.0, 1e-300]];
 
     #[test]
-    fn polylines_of_lame_curves_lie_on_them_as_far_as_the_clip() {
-        for (numerator, denominator, branches) in KINDS {
-            let curve = LameCurve::new(SIZE, numerator, denominator).unwrap();
-            let clipped = ClippedCurve::new(PlaneCurve::Lame(curve), None).unwrap();
-            let lines = clipped.polylines(SEGMENTS);
-            assert_eq!(lines.len(), branches, "{numerator}/{denominator}");
-            for x in
-                lines.iter().inspect(|line| assert_counter_clockwise(line)).flat_map(|l| &l.points)
-            {
-                let u = ratios(x);
-                assert!(u.amax() <= clipped.clip() * (1.0 + 1e-9), "{numerator}/{denominator} {u}");
-                let power = u.map(|u| u.abs().powf(curve.exponent())).amax();
-                let defect = (curve.implicit(x) - 1.0).abs();
-                // At the origin a negative power is infinite.
-                let is_on = *x == Vector2::zeros() || defect < 1e-11 * power.max(1.0);
-                assert!(is_on, "{numerator}/{denominator} {u} {defect}");
+    fn the_parameter_counts_the_points_and_moves_evenly_along_the_edges() {
+        for is_closed in [false, true] {
+            let line = line(&CORNERS, is_closed).unwrap();
+            assert_eq!(line.range(), [0.0, if is_closed { 3.0 } else { 2.0 }]);
+            for (t, corner) in [0.0, 1.0, 2.0].into_iter().zip(CORNERS) {
+                assert_eq!(line.at(t).position, Vector2::from(corner));
             }
+            assert_eq!(line.at(0.25).position, Vector2::new(0.5, 0.0));
+            assert_eq!(line.at(0.25).tangent, Vector2::new(2.0, 0.0));
+            assert_eq!(line.at(1.5).tangent, Vector2::new(0.0, 1e-300));
+            assert_eq!(line.at(1.5).second, Vector2::zeros());
         }
     }
 
     #[test]
-    fn unbounded_branches_end_at_the_clip() {
-        for e in [0.001, 0.05, 0.5, 1.0, 2.0, 3.0] {
-            let curve = Superhyperbola::new(SIZE, e).unwrap();
-            let clipped = ClippedCurve::new(PlaneCurve::Superhyperbola(curve), Some(3.0)).unwrap();
-            let lines = clipped.polylines(SEGMENTS);
-            assert_eq!(lines.len(), 2);
-            for line in &lines {
-                assert_eq!((line.points.len(), line.is_closed), (2 * SEGMENTS + 1, false));
-                for end in [0, 2 * SEGMENTS] {
-                    assert!((ratios(&line.points[end]).amax() / 3.0 - 1.0).abs() < 1e-15, "{e}");
-                }
-                assert_eq!(line.points[SEGMENTS].y, 0.0);
-            }
-            assert_eq!(clipped.meridians(SEGMENTS), lines[..1]);
+    fn closed_polylines_go_round_and_open_ones_end() {
+        let (open, ring) = (line(&CORNERS, false).unwrap(), line(&CORNERS, true).unwrap());
+        for turn in [-3.0, 3.0, 300.0] {
+            assert_eq!(ring.at(0.25 + turn), ring.at(0.25));
+            assert!(open.at(0.25 + turn).position.x.is_nan());
         }
+        assert_eq!(ring.at(2.5).position, Vector2::new(1.0, 5e-301));
+        assert_eq!(open.at(2.0).tangent, Vector2::new(0.0, 1e-300));
+        assert!(ring.at(f64::NAN).position.x.is_nan() && open.at(f64::NAN).position.x.is_nan());
+        assert!(ring.at(f64::INFINITY).position.x.is_nan());
+        // A remainder so near to the end that it is rounded there.
+        assert_eq!(ring.at(-1e-300).position, Vector2::zeros());
     }
 
     #[test]
-    fn superellipses_are_closed_and_their_meridians_end_on_the_axis() {
-        for e in [0.05, 0.5, 1.0, 2.0, 3.0] {
-            let curve = Superellipse::new(SIZE, e).unwrap();
-            let clipped = ClippedCurve::new(PlaneCurve::Superellipse(curve), None).unwrap();
-            let lines = clipped.polylines(SEGMENTS);
-            assert_eq!((lines.len(), lines[0].points.len()), (1, 4 * SEGMENTS));
-            assert!(lines[0].is_closed);
-            assert_counter_clockwise(&lines[0]);
-            let meridian = &clipped.meridians(SEGMENTS)[0].points;
-            let [south, north] = [meridian[0], meridian[2 * SEGMENTS]];
-            assert_eq!([south, north], [Vector2::new(0.0, -0.3), Vector2::new(0.0, 0.3)]);
-            for x in lines[0].points.iter().chain(meridian) {
-                assert!((curve.gauge(x) - 1.0).abs() < 1e-14, "{e} {x}");
-            }
+    fn what_makes_no_polyline_is_named() {
+        let many = vec![[0.0, 1.0]; Polyline::MOST_POINTS + 1];
+        let nan = [[0.0, 0.0], [1.0, f64::NAN]];
+        let cases: [(&[[f64; 2]], bool, &str); 7] = [
+            (&[], false, "from 2 to 10000 points, found 0"),
+            (&CORNERS[..1], false, "found 1"),
+            (&CORNERS[..2], true, "from 3"),
+            (&many, false, "found 10001"),
+            (&nan, false, "points[1] must be finite"),
+            (&[[0.0, 1.0], [0.0, 1.0]], false, "points[0] must differ"),
+            (&[[0.0, 1.0], [1.0, 1.0], [0.0, 1.0]], true, "points[2] must differ"),
+        ];
+        for (points, is_closed, expected) in cases {
+            let message = line(points, is_closed).unwrap_err().to_string();
+            assert!(message.contains(expected), "{message:?} does not name {expected:?}");
         }
-    }
-
-    #[test]
-    fn clips_that_leave_nothing_are_refused() {
-        let lame = |m| PlaneCurve::Lame(LameCurve::new(SIZE, m, 3).unwrap());
-        assert!(ClippedCurve::new(lame(-1), Some(8.0)).is_err());
-        assert!(ClippedCurve::new(lame(-1), Some(8.1)).is_ok());
-        assert!(ClippedCurve::new(lame(1), Some(1.0)).is_err());
-        assert!(ClippedCurve::new(lame(1), Some(f64::INFINITY)).is_err());
     }
 }

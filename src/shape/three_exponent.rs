@@ -95,7 +95,7 @@ impl ThreeExponent {
 /// The shift s for which the terms `exp(n (s + l))` of pairs `(n, l)` add up to `exp(target)`.
 ///
 /// The logarithm of the sum is convex in s: Newton's iteration from above descends to the root.
-fn log_shift(terms: &[(f64, f64)], target: f64) -> f64 {
+pub(crate) fn log_shift(terms: &[(f64, f64)], target: f64) -> f64 {
     let alone = |&(n, l): &(f64, f64)| target / n - l;
     let mut shift = terms.iter().map(alone).fold(f64::INFINITY, f64::min);
     for _ in 0..200 {

@@ -23,7 +23,7 @@ pub(crate) use chart::{flattened_cube_point, within_rim};
 pub use deformed::{deformed_mesh, sample_deformed_surface, tessellate_deformed};
 pub use families::{sample_shape_surface, tessellate_shape};
 pub use mesh::Mesh;
-pub use parameterization::{NoRows, Parameterization};
+pub use parameterization::Parameterization;
 pub use product::spherical_product_mesh;
 pub use sample::{sample_solid, sample_surface};
 pub use tessellate::{Resolution, ResolutionError, tessellate};

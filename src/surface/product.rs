@@ -12,7 +12,8 @@ use crate::shape::{ClippedCurve, Polyline};
 ///
 /// The mesh is open where the curves are, and seen from outside where these run counter-clockwise;
 /// every pair of branches is a piece of its own. Of a vertical curve that is symmetric about the y
-/// axis the half `x >= 0` is used, as B81 does. That of two superellipses is closed.
+/// axis the half `x >= 0` is used, as B81 does, but of a polyline all. That of two superellipses is
+/// closed. Edges of polylines are not cut: those of two make plane pieces.
 pub fn spherical_product_mesh(
     north: &ClippedCurve,
     east: &ClippedCurve,
@@ -50,24 +51,27 @@ impl Row {
 
 impl Pieces {
     fn add(&mut self, meridian: &Polyline, equator: &Polyline) {
-        let rows: Vec<Row> = meridian.points.iter().map(|m| self.add_row(m, equator)).collect();
+        let rows: Vec<Row> = meridian.points().iter().map(|m| self.add_row(m, equator)).collect();
         for pair in rows.windows(2) {
             self.add_band([pair[0], pair[1]], equator);
+        }
+        if let (true, [first, .., last]) = (meridian.is_closed(), rows.as_slice()) {
+            self.add_band([*last, *first], equator);
         }
     }
 
     fn add_row(&mut self, m: &Vector2<f64>, equator: &Polyline) -> Row {
         let row = Row { first: self.vertices.len() as u32, is_pole: m.x == 0.0 };
-        let columns = if row.is_pole { 1 } else { equator.points.len() };
-        let horizontal = equator.points.iter().take(columns);
+        let columns = if row.is_pole { 1 } else { equator.points().len() };
+        let horizontal = equator.points().iter().take(columns);
         self.vertices.extend(horizontal.map(|h| Vector3::new(m.x * h.x, m.x * h.y, m.y)));
         row
     }
 
     /// Triangles between a row and the next one north.
     fn add_band(&mut self, [south, north]: [Row; 2], equator: &Polyline) {
-        let columns = equator.points.len();
-        let quadrangles = if equator.is_closed { columns } else { columns - 1 };
+        let columns = equator.points().len();
+        let quadrangles = if equator.is_closed() { columns } else { columns - 1 };
         for west in 0..quadrangles {
             let east = (west + 1) % columns;
             let [a, b] = [west, east].map(|column| south.vertex(column));
@@ -125,6 +129,61 @@ mod tests {
         }
     }
 
+    fn polyline(points: &[[f64; 2]], is_closed: bool) -> ClippedCurve {
+        let points = points.iter().map(|&x| x.into()).collect();
+        let line = Polyline::new(points, is_closed).unwrap();
+        ClippedCurve::new(PlaneCurve::Polyline(line), None).unwrap()
+    }
+
+    /// A star of ten corners, and the area in it.
+    fn star() -> (ClippedCurve, f64) {
+        let corner = |i: u32| {
+            let (sin, cos) = (f64::from(i) * std::f64::consts::PI / 5.0).sin_cos();
+            let radius = if i.is_multiple_of(2) { 1.0 } else { 0.4 };
+            [radius * cos, radius * sin]
+        };
+        let area = 5.0 * 0.4 * (std::f64::consts::PI / 5.0).sin();
+        (polyline(&(0..10).map(corner).collect::<Vec<_>>(), true), area)
+    }
+
+    /// B81 Fig. 1: at every height the star, scaled.
+    #[test]
+    fn an_ellipse_crossed_with_a_star_is_closed_and_has_the_volume_of_its_slices() {
+        let (star, area) = star();
+        let ellipse = superellipse([1.0, 0.7], 1.0);
+        let mesh = spherical_product_mesh(&ellipse, &star, Resolution::new(128).unwrap());
+        assert!(mesh.is_closed());
+        let volume = area * 4.0 / 3.0 * 0.7;
+        assert!((mesh.volume() / volume - 1.0).abs() < 1e-4, "{} {volume}", mesh.volume());
+    }
+
+    /// Pyramids and frustums between the points of a meridian that ends on the axis, that is a ring
+    /// around it, or that is open.
+    #[test]
+    fn polylines_make_the_polyhedra_of_their_corners() {
+        let (star, area) = star();
+        let frustums = |points: &[[f64; 2]]| {
+            let pairs = points.windows(2).map(|pair| {
+                let ([r, low], [s, high]) = (pair[0], pair[1]);
+                (high - low) * (r * r + r * s + s * s) / 3.0
+            });
+            area * pairs.sum::<f64>()
+        };
+        let spindle = [[0.0, -2.0], [1.0, -1.0], [0.5, 0.0], [3.0, 0.5], [0.0, 1.0]];
+        let mesh = spherical_product_mesh(&polyline(&spindle, false), &star, resolution());
+        assert!(mesh.is_closed());
+        assert_eq!(mesh.vertices().len(), 3 * 10 + 2);
+        assert!((mesh.volume() / frustums(&spindle) - 1.0).abs() < 1e-14);
+
+        let ring = [[1.0, -1.0], [2.0, 0.0], [1.5, 1.0], [1.0, -1.0]];
+        let mesh = spherical_product_mesh(&polyline(&ring[..3], true), &star, resolution());
+        assert!(mesh.is_closed());
+        assert!((mesh.volume() / frustums(&ring) - 1.0).abs() < 1e-14);
+
+        let mesh = spherical_product_mesh(&polyline(&ring[..2], false), &star, resolution());
+        assert_eq!(mesh.boundary_edges().len(), 2 * 10);
+    }
+
     /// B81 Fig. 3: open pieces, one or two, on the quadrics.
     #[test]
     fn hyperbolas_make_open_quadrics() {
@@ -142,6 +201,7 @@ mod tests {
     #[test]
     fn any_two_curves_make_a_finite_mesh_of_triangles() {
         let mut curves = vec![superellipse([1.0, 1.0], 0.5), superhyperbola([1.0, 1.0], 0.5)];
+        curves.push(polyline(&[[-1.0, 0.0], [0.0, 0.0], [0.0, 1.0], [2.0, 1.0]], false));
         let exponents = [(8, 3), (2, 3), (5, 2), (1, 2), (3, 1), (1, 3), (-2, 1), (-3, 2), (-1, 3)];
         curves.extend(exponents.map(|(numerator, denominator)| lame(numerator, denominator)));
         for north in &curves {

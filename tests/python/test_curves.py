@@ -66,6 +66,7 @@ def test_products_of_any_two_curves_are_barrs():
         superquadric.Superellipse(SIZE, 0.5),
         superquadric.Superhyperbola(SIZE, 1.5),
         superquadric.LameCurve(SIZE, -1, 3),
+        superquadric.Polyline([[1, 0], [0, 1], [-1, -1]]),
     ]
     for north in curves:
         for east in curves:
@@ -75,7 +76,57 @@ def test_products_of_any_two_curves_are_barrs():
             np.testing.assert_allclose(found, expected, rtol=1e-14)
 
 
+def test_a_polyline_is_at_its_points_and_even_between_them():
+    points = np.random.default_rng(0).normal(size=(7, 2))
+    for closed in [False, True]:
+        line = superquadric.Polyline(points, closed=closed)
+        assert line.closed is closed
+        np.testing.assert_array_equal(line.points, points)
+        np.testing.assert_array_equal(line.position(np.arange(7)), points)
+        ends = np.roll(points, -1, axis=0)[: 7 if closed else 6]
+        starts, share = points[: len(ends)], np.array([0.25, 0.5])
+        t = np.arange(len(ends))[:, None] + share
+        expected = starts[:, None] + share[:, None] * (ends - starts)[:, None]
+        np.testing.assert_allclose(line.position(t), expected, rtol=1e-14, atol=1e-15)
+        np.testing.assert_array_equal(line.tangent(t[:, 0]), ends - starts)
+        np.testing.assert_array_equal(line.second_derivative(t), np.zeros((len(ends), 2, 2)))
+        is_beyond = np.isnan(line.position(8.5)).all()
+        assert is_beyond == (not closed)
+
+
+def test_an_ellipse_crossed_with_a_star_is_the_star_at_every_height():
+    """B81 Fig. 1."""
+    angle = np.arange(10) * np.pi / 5
+    radius = np.where(np.arange(10) % 2 == 0, 1, 0.4)
+    star = superquadric.Polyline(
+        np.stack([radius * np.cos(angle), radius * np.sin(angle)], axis=1), closed=True
+    )
+    ellipse = superquadric.Superellipse([1, 0.7], 1)
+    eta, t = np.linspace(-np.pi / 2, np.pi / 2, 9)[:, None], np.linspace(0, 10, 41)
+    points = superquadric.spherical_product(ellipse, star, eta, t)
+    np.testing.assert_allclose(points[..., 2], 0.7 * np.sin(eta) + 0 * t, atol=1e-15)
+    expected = np.cos(eta)[..., None] * star.position(t)
+    np.testing.assert_allclose(points[..., :2], expected, atol=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("points", "closed", "message"),
+    [
+        ([[0, 0]], False, "found 1"),
+        ([[0, 0], [1, 1]], True, "from 3"),
+        (np.zeros((10_001, 2)), False, "10000"),
+        ([[0, 0], [1, np.nan]], False, r"points\[1\] must be finite"),
+        ([[0, 0], [1, 0], [0, 0]], True, r"points\[2\] must differ"),
+    ],
+)
+def test_what_is_no_polyline_is_refused(points, closed, message):
+    with pytest.raises(superquadric.ModelError, match=message):
+        superquadric.Polyline(points, closed=closed)
+
+
 def test_what_is_no_curve_is_refused():
+    with pytest.raises(superquadric.ArrayError, match=r"points.*\(n, 2\)"):
+        superquadric.Polyline([1, 2])
     with pytest.raises(superquadric.ModelError, match="size"):
         superquadric.Superellipse([1, -1], 1)
     with pytest.raises(superquadric.ModelError, match="fraction"):

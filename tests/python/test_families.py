@@ -111,6 +111,19 @@ def test_superellipsoids_stay_superellipsoids(model):
     assert superquadric.Shape.from_json(model.to_json()) == model
 
 
+def test_superellipsoids_are_shapes_like_the_others(model):
+    assert isinstance(model, superquadric.Shape)
+    assert isinstance(model.dual(), superquadric.Superellipsoid)
+    assert model.family == "superellipsoid"
+    np.testing.assert_array_equal(model.domain, np.pi * np.array([[-0.5, 0.5], [-1, 1]]))
+    points = np.random.default_rng(3).normal(size=(500, 3)) + model.translation
+    inside = model.contains(points)
+    np.testing.assert_array_equal(inside == 1, model.inside_outside(points) < 1)
+    assert 0 < inside.sum() < 500
+    with pytest.raises(TypeError):
+        superquadric.Shape()
+
+
 @pytest.mark.parametrize(
     ("kind", "arguments", "message"),
     [
@@ -179,6 +192,56 @@ def test_derivatives_are_those_of_differences(model):
         ahead, behind = (model.inside_outside_gradient(points + s * offset) for s in (1, -1))
         expected = (ahead - behind) / (2 * step)
         np.testing.assert_allclose(hessian[:, k], expected, rtol=1e-5, atol=1e-5)
+
+
+@pytest.mark.parametrize(
+    "model",
+    [*shapes(**POSE), superquadric.Superellipsoid(SIZE, EXPONENTS, **POSE)],
+    ids=lambda model: type(model).__name__,
+)
+def test_fundamental_forms_are_those_of_differences_and_of_the_curvatures(model):
+    (_, north), (_, east) = model.domain
+    eta = np.array([0.13, 0.35, 0.6, 0.85])[:, None] * north
+    omega = np.array([-0.8, -0.3, 0.2, 0.55, 0.9]) * east
+    first, second = (
+        model.first_fundamental_form(eta, omega),
+        model.second_fundamental_form(eta, omega),
+    )
+    assert first.shape == second.shape == (4, 5, 2, 2)
+    tangents = model.tangents(eta, omega)
+    np.testing.assert_allclose(first, tangents @ tangents.swapaxes(-1, -2), rtol=1e-12, atol=1e-14)
+    np.testing.assert_array_equal(second, second.swapaxes(-1, -2))
+
+    # Twice the depth below the tangent plane after a small step, over its square.
+    position, normal = model.position(eta, omega), model.normal(eta, omega)
+    for direction in [np.array([1.0, 0.0]), np.array([0.0, 1.0]), np.array([0.6, -0.8])]:
+        step = 3e-4 * direction
+        ends = [model.position(eta + s * step[0], omega + s * step[1]) for s in (1, -1)]
+        bend = np.sum((2 * position - ends[0] - ends[1]) * normal, axis=-1) / 9e-8
+        length = np.sum(((ends[0] - ends[1]) / 6e-4) ** 2, axis=-1)
+        scale = np.abs(second).max()
+        np.testing.assert_allclose(
+            direction @ second @ direction, bend, rtol=1e-3, atol=1e-3 * scale
+        )
+        np.testing.assert_allclose(direction @ first @ direction, length, rtol=1e-4)
+
+    principal = np.linalg.eigvals(np.linalg.solve(first, second))
+    principal = np.sort(principal.real, axis=-1)[..., ::-1]
+    np.testing.assert_allclose(principal, model.curvatures(position), rtol=1e-7, atol=1e-7)
+
+
+def test_fundamental_forms_of_a_torus_are_the_closed_forms():
+    torus = superquadric.Supertoroid([1, 1, 1], [1, 1], 3, **POSE)
+    eta, omega = np.linspace(-3, 3, 8)[:, None], np.linspace(-3, 3, 6)
+    radius = 3 + np.cos(eta) + 0 * omega
+    one, nought = np.ones_like(radius), np.zeros_like(radius)
+    # E = 1, G = r^2; D = 1, D2 = r cos(eta).
+    first = np.stack([np.stack([one, nought], -1), np.stack([nought, radius**2], -1)], -1)
+    second = np.stack(
+        [np.stack([one, nought], -1), np.stack([nought, radius * np.cos(eta)], -1)], -1
+    )
+    np.testing.assert_allclose(torus.first_fundamental_form(eta, omega), first, atol=1e-13)
+    np.testing.assert_allclose(torus.second_fundamental_form(eta, omega), second, atol=1e-13)
 
 
 @pytest.mark.parametrize("model", shapes(**POSE), ids=ids)

@@ -180,3 +180,5 @@ def test_samples_of_a_deformed_model_are_on_its_surface_and_the_same_for_a_seed(
     assert np.abs(twisted.inside_outside(points) - 1).max() < 1e-9
     assert np.array_equal(points, twisted.sample(500, 3))
     assert not np.array_equal(points, twisted.sample(500, 4))
+    with pytest.raises(MemoryError):
+        twisted.sample(2**62)

@@ -12,10 +12,10 @@ const MOST_POINTS: i64 = 4_000_000;
 /// as the curve's clip.
 #[derive(Debug, clap::Args)]
 pub(in crate::cli) struct CurveArgs {
-    /// A superellipse, superhyperbola or Lame curve, .json; - is stdin.
+    /// A superellipse, superhyperbola, Lame curve or polyline, .json; - is stdin.
     pub curve: PathBuf,
     /// Points around a closed curve; a fourth of them, rounded up, is the number of segments to
-    /// each quadrant of any.
+    /// each quadrant of any. Of a polyline, its own points are written.
     #[arg(
         short = 'n', long, value_name = "N", default_value_t = 200,
         value_parser = clap::value_parser!(u32).range(4..=MOST_POINTS)
@@ -31,11 +31,11 @@ pub(in crate::cli) struct CurveArgs {
 /// The northward curve scales and raises the eastward one: (x, y) and (u, v) make (x u, x v, y).
 #[derive(Debug, clap::Args)]
 pub(in crate::cli) struct ProductArgs {
-    /// The northward curve, .json; of one that is symmetric the right half.
+    /// The northward curve, .json; of one that is symmetric the right half, but of a polyline all.
     pub north: PathBuf,
     /// The eastward curve, .json.
     pub east: PathBuf,
-    /// Segments to each quadrant of both curves (even).
+    /// Segments to each quadrant of both curves (even); polylines have their own.
     #[arg(long, value_name = "N", default_value = "32", value_parser = resolution)]
     pub resolution: Resolution,
     /// File to write: .ply, .obj, .stl or .glb.

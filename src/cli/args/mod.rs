@@ -5,6 +5,7 @@ mod exchange;
 mod fit;
 mod mesh;
 mod parse;
+mod points;
 mod sensor;
 mod shape;
 mod view;
@@ -16,6 +17,7 @@ pub(super) use curve::{CurveArgs, ProductArgs};
 pub(super) use exchange::{ExportArgs, ImportArgs};
 pub(super) use fit::FitArgs;
 pub(super) use mesh::FinenessArgs;
+pub(super) use points::{DualArgs, EvaluateArgs, SampleArgs};
 pub(super) use sensor::{SensorArgs, SupportArg};
 pub(super) use view::{ContourArgs, OverlayArgs, RenderArgs, ViewArgs};
 
@@ -39,6 +41,9 @@ Examples:
   superquadric fit - -o - < cloud.xyz              from stdin, JSON to stdout
   superquadric mesh fit.json -o shape.stl --tolerance 0.001
   superquadric info fit.json
+  superquadric sample fit.json -n 5000 -o points.ply
+  superquadric evaluate fit.json cloud.ply -o distances.csv
+  superquadric dual model.json -o dual.json
   superquadric contour fit.json --camera camera.json -o outline.svg
   superquadric overlay fit.json --camera camera.json --image photo.png -o overlay.png
   superquadric render fit.json --camera camera.json --shaded picture.png
@@ -58,17 +63,21 @@ A model is a superellipsoid
 with semi-axes a1 a2 a3 in the cloud's own unit and exponents e1 (north-south) and e2
 (east-west), turned by Euler angles ZYZ and moved to its centre. Exponents near 0 are boxes, 1 is
 round, 2 is bevelled. Models of the other families (superhyperboloid_one_sheet,
-superhyperboloid_two_sheets, supertoroid, three_exponent) can be given to info and mesh.
+superhyperboloid_two_sheets, supertoroid, three_exponent) can be given wherever a model is read.
 
 A curve is {\"curve\": \"superellipse\", \"size\": [a, b], \"exponent\": e}, a \"superhyperbola\" with the
 same, or {\"curve\": \"lame\", \"size\": [a, b], \"numerator\": p, \"denominator\": q}. Branches without end
-stop at \"clip\" times the semi-axes, if that is given, else at a clip of their own.";
+stop at \"clip\" times the semi-axes, if that is given, else at a clip of their own. Any other curve is
+{\"curve\": \"polyline\", \"points\": [[x, y], ..], \"closed\": true or false}.";
 
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
     Fit(Box<FitArgs>),
     Mesh(MeshArgs),
     Info(InfoArgs),
+    Sample(SampleArgs),
+    Evaluate(EvaluateArgs),
+    Dual(DualArgs),
     Contour(ContourArgs),
     Curve(CurveArgs),
     Product(ProductArgs),

@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use nalgebra::{Vector2, Vector3};
 
-use crate::shape::{Superellipsoid, superellipse_norm};
+use crate::shape::superellipse_norm;
 
 /// Points from `(a, 0)` to `(0, b)`.
 pub(super) fn quarter([a, b]: [f64; 2], e: f64, n: usize) -> Vec<[f64; 2]> {
@@ -16,14 +16,17 @@ pub(super) fn quarter([a, b]: [f64; 2], e: f64, n: usize) -> Vec<[f64; 2]> {
     (0..=n).map(point).collect()
 }
 
-/// The rows of a superellipsoid: rays of equal steps of latitude and of longitude.
-pub(super) fn superellipsoid(shape: &Superellipsoid, n: usize) -> Vec<Vec<Vector3<f64>>> {
+/// The rows of a surface: points on rays of equal steps of latitude and of longitude.
+pub(super) fn rows(
+    n: usize,
+    on_ray: impl Fn(&Vector3<f64>) -> Vector3<f64>,
+) -> Vec<Vec<Vector3<f64>>> {
     let quarter: Vec<[f64; 2]> = (0..=n).map(|i| direction(i, n).into()).collect();
     let south = quarter.iter().skip(1).rev().map(|&[cos, sin]| [cos, -sin]);
     let row = |[cos_eta, sin_eta]: [f64; 2]| {
         super::around(&quarter)
             .map(|[x, y]| Vector3::new(cos_eta * x, cos_eta * y, sin_eta))
-            .map(|ray| shape.radial_projection(&ray))
+            .map(|ray| on_ray(&ray))
             .collect()
     };
     south.chain(quarter.iter().copied()).map(row).collect()

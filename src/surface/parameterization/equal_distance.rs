@@ -6,13 +6,15 @@ use crate::shape::{greatest_arc_parameter, quarter_point};
 /// 1e-4 or so.
 const TABLE_STEPS: usize = 4096;
 
-/// Points from `(a, 0)` to `(0, b)`.
-pub(super) fn quarter([a, b]: [f64; 2], e: f64, n: usize) -> Vec<[f64; 2]> {
+/// Points from `(a, 0)` to `(0, b)` along `(x/a)^(2/e1) + (y/b)^(2/e2) = 1`.
+pub(super) fn quarter([a, b]: [f64; 2], [e1, e2]: [f64; 2], n: usize) -> Vec<[f64; 2]> {
     if n == 0 {
         return vec![[a, 0.0]];
     }
+    // One coordinate each of two superellipses, at the same share of the powers.
+    let greatest = greatest_arc_parameter(e1.min(e2));
     let point = |share: f64| {
-        let [x, y] = quarter_point(e, (2.0 * share - 1.0) * greatest_arc_parameter(e));
+        let [[x, _], [_, y]] = [e1, e2].map(|e| quarter_point(e, (2.0 * share - 1.0) * greatest));
         [a * x, b * y]
     };
     let inner = evenly_spread(point, TABLE_STEPS, n).map(point);

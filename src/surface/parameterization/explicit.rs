@@ -1,17 +1,21 @@
 //! Equal steps of the coordinate that changes faster (FB81).
 
-/// Points from `(a, 0)` to `(0, b)`: of the unit curve, equal steps of y up to the diagonal, and
-/// their reflections in it. An odd `n` is made even.
-pub(super) fn quarter([a, b]: [f64; 2], e: f64, n: usize) -> Vec<[f64; 2]> {
+use crate::shape::log_shift;
+
+/// Points from `(a, 0)` to `(0, b)`: of the unit curve `x^(2/e1) + y^(2/e2) = 1`, equal steps of y up
+/// to the diagonal, and of x beyond. An odd `n` is made even.
+pub(super) fn quarter([a, b]: [f64; 2], [e1, e2]: [f64; 2], n: usize) -> Vec<[f64; 2]> {
     let half = n.div_ceil(2);
-    let diagonal = 0.5_f64.powf(0.5 * e);
-    let octant = |i: usize| {
-        let y = diagonal * i as f64 / half as f64;
+    let diagonal = log_shift(&[e1, e2].map(|e| (2.0 / e, 0.0)), 0.0).exp();
+    // The coordinate of exponent `own` at step i, and the other one calculated from it.
+    let octant = |i: usize, [own, other]: [f64; 2]| {
+        let step = diagonal * i as f64 / half as f64;
         // At the diagonal itself, both coordinates are the same.
-        let x = if i == half { diagonal } else { (1.0 - y.powf(2.0 / e)).powf(0.5 * e) };
-        [x, y]
+        let calculated =
+            if i == half { diagonal } else { (1.0 - step.powf(2.0 / own)).powf(0.5 * other) };
+        [step, calculated]
     };
-    let first = (0..half).map(octant);
-    let second = (0..=half).rev().map(octant).map(|[x, y]| [y, x]);
+    let first = (0..half).map(|i| octant(i, [e2, e1])).map(|[y, x]| [x, y]);
+    let second = (0..=half).rev().map(|i| octant(i, [e1, e2]));
     first.chain(second).map(|[x, y]| [a * x, b * y]).collect()
 }

@@ -1,5 +1,5 @@
-//! Parameterisations of a superellipse and of a superellipsoid (JLS section 2.5), a file each:
-//! where along them points are taken.
+//! Parameterisations of a superellipse, of a superellipsoid (JLS section 2.5), a file each, and of the
+//! other families: where along them points are taken.
 //!
 //! Points at random, uniform by area, are [`sample_surface`](crate::surface::sample_surface)'s.
 
@@ -7,9 +7,9 @@ mod angle_centre;
 mod equal_distance;
 mod explicit;
 mod families;
+mod superhyperbola;
+mod three_exponent;
 mod trigonometric;
-
-pub use families::NoRows;
 
 use nalgebra::{Vector2, Vector3};
 
@@ -54,7 +54,7 @@ impl Parameterization {
     /// [`AngleCentre`](Self::AngleCentre), whose angles are those of rays in space.
     pub fn superellipsoid(self, shape: &Superellipsoid, n: usize) -> Vec<Vec<Vector3<f64>>> {
         if self == Self::AngleCentre {
-            return angle_centre::superellipsoid(shape, n);
+            return angle_centre::rows(n, |ray| shape.radial_projection(ray));
         }
         let [meridian, equator] = self.product(shape, |_| n);
         rows(&meridian, &equator)
@@ -80,13 +80,13 @@ impl Parameterization {
         [south.chain(north).collect(), around(&equator).collect()]
     }
 
-    /// `n + 1` points from `(a, 0)` to `(0, b)`.
+    /// `n + 1` points of a superellipse from `(a, 0)` to `(0, b)`.
     fn quarter(self, size: [f64; 2], e: f64, n: usize) -> Vec<[f64; 2]> {
         match self {
-            Self::Trigonometric => trigonometric::quarter(size, e, n),
+            Self::Trigonometric => trigonometric::quarter(size, [e, e], n),
             Self::AngleCentre => angle_centre::quarter(size, e, n),
-            Self::Explicit => explicit::quarter(size, e, n),
-            Self::EqualDistance => equal_distance::quarter(size, e, n),
+            Self::Explicit => explicit::quarter(size, [e, e], n),
+            Self::EqualDistance => equal_distance::quarter(size, [e, e], n),
         }
     }
 }
