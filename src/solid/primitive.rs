@@ -28,12 +28,6 @@ impl<S: Solid + LevelSet> Primitive<S> {
         self.deformed.contains(&self.pose.model_from_world(x_world))
     }
 
-    /// The outward unit normal at a surface point of the world.
-    pub fn normal(&self, x_world: &Vector3<f64>) -> Vector3<f64> {
-        let x_model = self.pose.model_from_world(x_world);
-        self.pose.rotation() * self.deformed.inside_outside_gradient(&x_model).normalize()
-    }
-
     /// A bound on `n . x` over the solid in the world, as tight as [`Deformed::support`].
     pub fn support(&self, n_world: &Vector3<f64>) -> f64 {
         let n_model = self.pose.rotation().inverse_transform_vector(n_world);
