@@ -14,6 +14,9 @@ use crate::solid::{Primitive, Tree};
 use crate::surface::{ChartSheet, GridSheet, Resolution, Sheet};
 use crate::view::Viewpoint;
 
+/// Fewest cells of a boolean's grid along its longest side: edges run across them.
+const FEWEST_CELLS: usize = 64;
+
 /// A part of a solid, which is the union of its parts.
 pub(super) struct Part<'a> {
     pub solid: &'a Tree,
@@ -72,7 +75,7 @@ impl<'a> Part<'a> {
                 let resolution = Resolution::new(segments).unwrap_or_default();
                 Arc::new(ChartSheet::new(deformed, pose, resolution))
             }
-            solid => Arc::new(GridSheet::new(solid, self.bounds, segments)),
+            solid => Arc::new(GridSheet::new(solid, self.bounds, segments.max(FEWEST_CELLS))),
         }
     }
 }

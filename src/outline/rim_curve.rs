@@ -11,7 +11,7 @@ use crate::solid::Tree;
 use crate::view::{RimError, Viewpoint, rim};
 
 /// Segments of the meshes on which the rim is looked for.
-const SEGMENTS: usize = 64;
+const SEGMENTS: usize = 32;
 
 /// Share of the solid's size that chords are off the rim, at most, where its length is measured.
 const TOLERANCE: f64 = 1e-4;
@@ -37,7 +37,7 @@ pub struct RimCurve {
 ///
 /// Of a union it is the rims of all parts, hidden where another part is in the way or around them.
 /// On edges, those of caps and of what was cut among them, where the normal jumps past the rim's
-/// condition, it follows the edge. Parts of the rim smaller than a 200th of the solid may be
+/// condition, it follows the edge. Parts of the rim smaller than a 100th of the solid may be
 /// missed.
 ///
 /// # Errors

@@ -48,8 +48,8 @@ impl Outline {
     /// A superellipsoid's with exponents up to 2 is its [`Contour`]. Any other's has vertices
     /// that are solved for, and chords no more than some 0.02 pixels off; where rays on either
     /// side tell otherwise, as at blades of exponents above 2, those decide, to 0.1 pixels. That
-    /// of a union is the boundary of what its parts cover. The rim has a point at least every pixel, or, of small
-    /// solids, 128 of them.
+    /// of a union is the boundary of what its parts cover. The rim has a point at least every
+    /// pixel, or, of small solids, 128 of them.
     ///
     /// # Errors
     /// If the camera is not outside the solid, or part of it is behind the camera or where the
