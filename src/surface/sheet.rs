@@ -63,7 +63,7 @@ impl Sheet for ChartSheet<'_> {
 
 /// The boundary of any solid, across the edges of tetrahedra. A place is one of a line between
 /// blends of the edges' ends, from within the solid to without; its point is where the line leaves
-/// the solid.
+/// the solid, or an end of the line where an edge of the solid passes between two ends of a kind.
 pub(crate) struct GridSheet<'a, S> {
     solid: &'a S,
     /// From within to without.
@@ -98,4 +98,83 @@ impl<S: LevelSet + Sync> Sheet for GridSheet<'_, S> {
 
 fn blend(points: [Vector3<f64>; 3], weights: [f64; 3]) -> Vector3<f64> {
     points.iter().zip(weights).map(|(x, weight)| x * weight).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::HashMap;
+
+    use super::*;
+    use crate::deform::{Bend, Chain, Deformation, Line, Taper, Twist};
+    use crate::shape::{
+        Superellipsoid, SuperhyperboloidOneSheet, SuperhyperboloidTwoSheets, Supertoroid,
+        ThreeExponent,
+    };
+    use crate::solid::{Primitive, Tree};
+
+    fn primitives() -> Vec<Primitive<Shape>> {
+        let size = [1.2, 0.8, 0.5];
+        let shapes: [Shape; 5] = [
+            Superellipsoid::new(size, [0.3, 1.4]).unwrap().into(),
+            ThreeExponent::new(size, [1.5, 3.0, 2.0]).unwrap().into(),
+            SuperhyperboloidOneSheet::new(size, [0.6, 0.4], 0.9).unwrap().into(),
+            SuperhyperboloidTwoSheets::new(size, [0.7, 1.3], 2.0).unwrap().into(),
+            Supertoroid::new([0.3, 0.4, 0.3], [0.5, 1.5], 2.0).unwrap().into(),
+        ];
+        let line = |at_zero, slope| Line::new(at_zero, slope).unwrap();
+        let stages = [
+            Deformation::new(Taper::new(line(1.0, -0.3))),
+            Deformation::new(Twist::new(line(0.0, 0.8))),
+            Deformation::new(Bend::new(0.3, 0.0, [-1.0, 1.0]).unwrap()),
+        ];
+        let pose = Pose::from_euler_zyz([0.3, 1.2, -0.5], Vector3::new(1.0, 2.0, 3.0));
+        let deformed = |shape| Deformed::new(shape, Chain::new(stages.clone())).unwrap();
+        shapes.map(|shape| Primitive { deformed: deformed(shape), pose }).into()
+    }
+
+    /// Points over a side are the same for both triangles; the share of points over the insides of
+    /// triangles that are on the surface.
+    fn share_on_surface(sheet: &dyn Sheet, solid: &Tree, slack: f64) -> f64 {
+        let mut over_sides: HashMap<[u32; 2], Vector3<f64>> = HashMap::new();
+        let mut on_surface = 0;
+        for &[a, b, c] in sheet.triangles() {
+            let level = solid.level(sheet.point([a, b, c], [0.2, 0.3, 0.5]).into());
+            on_surface += usize::from((level - 1.0).abs() < slack);
+            for corners @ [p, q, _] in [[a, b, c], [b, c, a], [c, a, b]] {
+                let x = sheet.point(corners, [0.5, 0.5, 0.0]);
+                if let Some(other) = over_sides.remove(&[q, p]) {
+                    assert!((x - other).norm() < 1e-12, "{x:?} {other:?} of {solid:?}");
+                } else {
+                    over_sides.insert([p, q], x);
+                }
+            }
+        }
+        assert!(over_sides.is_empty() && sheet.count() > 200);
+        on_surface as f64 / sheet.triangles().len() as f64
+    }
+
+    #[test]
+    fn points_over_charts_are_on_the_boundary_and_the_same_on_both_sides_of_a_side() {
+        for primitive in primitives() {
+            let resolution = Resolution::new(8).unwrap();
+            let sheet = ChartSheet::new(&primitive.deformed, &primitive.pose, resolution);
+            // Bands along edges cut them by a millionth of a triangle.
+            assert_eq!(share_on_surface(&sheet, &primitive.clone().into(), 1e-6), 1.0);
+        }
+    }
+
+    #[test]
+    fn points_over_grids_are_on_the_boundary_and_the_same_on_both_sides_of_a_side() {
+        let solids: Vec<Tree> = primitives().into_iter().map(Tree::from).collect();
+        let moved =
+            |i: usize| solids[i].moved(&Pose::new(Default::default(), Vector3::new(0.4, 0.3, 0.1)));
+        let bite = Tree::Difference(Box::new(solids[0].clone()), vec![moved(1)]);
+        let common = Tree::Intersection(vec![solids[0].clone(), moved(2)]);
+        for solid in [bite, common] {
+            let sheet = GridSheet::new(&solid, solid.bounding_box(), 40);
+            let share = share_on_surface(&sheet, &solid, 1e-9);
+            // All but those at sharp edges.
+            assert!(share > 0.99, "{share}");
+        }
+    }
 }
