@@ -63,7 +63,8 @@ impl Sheet for ChartSheet<'_> {
 
 /// The boundary of any solid, across the edges of tetrahedra. A place is one of a line between
 /// blends of the edges' ends, from within the solid to without; its point is where the line leaves
-/// the solid, or an end of the line where an edge of the solid passes between two ends of a kind.
+/// the solid, up to its length beyond its ends where an edge of the solid passes between two of a
+/// kind.
 pub(crate) struct GridSheet<'a, S> {
     solid: &'a S,
     /// From within to without.
@@ -92,7 +93,12 @@ impl<S: LevelSet + Sync> Sheet for GridSheet<'_, S> {
         let edges = corners.map(|corner| self.edges[corner as usize]);
         let [inner, outer] = [0, 1].map(|end| blend(edges.map(|edge| edge[end]), weights));
         let excess = |share: f64| self.solid.level(inner.lerp(&outer, share).into()) - 1.0;
-        inner.lerp(&outer, increasing_root(excess, [0.0, 1.0]))
+        let bracket = match () {
+            () if excess(0.0) >= 0.0 => [-1.0, 0.0],
+            () if excess(1.0) <= 0.0 => [1.0, 2.0],
+            () => [0.0, 1.0],
+        };
+        inner.lerp(&outer, increasing_root(excess, bracket))
     }
 }
 
