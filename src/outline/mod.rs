@@ -2,16 +2,17 @@
 //! rim, what of that is hidden, and the boundary of the silhouette.
 
 mod axes;
+mod curve;
 mod document;
 mod facing;
 #[cfg(feature = "overlay")]
 mod overlay;
 mod part;
+mod path;
 mod polish;
 mod residual;
 mod rim_curve;
 mod silhouette;
-mod spacing;
 mod trace;
 mod visibility;
 mod wireframe;

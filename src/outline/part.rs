@@ -1,15 +1,21 @@
 //! The parts of a solid whose rims are traced one by one.
 
+use std::sync::Arc;
+
 use nalgebra::Vector3;
 
+use super::curve::Curve;
 use super::facing::Facing;
-use super::spacing::evenly;
+use super::path::Seen;
 use super::trace::trace;
 use crate::model::Model;
 use crate::shape::{Shape, Superellipsoid};
 use crate::solid::{Primitive, Tree};
-use crate::surface::{Mesh, Resolution, boundary_mesh, deformed_mesh, tessellate_shape};
-use crate::view::{RimError, Viewpoint, rim};
+use crate::surface::{ChartSheet, GridSheet, Resolution, Sheet};
+use crate::view::Viewpoint;
+
+/// Fewest cells of a boolean's grid along its longest side: edges run across them.
+const FEWEST_CELLS: usize = 64;
 
 /// A part of a solid, which is the union of its parts.
 pub(super) struct Part<'a> {
@@ -50,47 +56,26 @@ pub(super) fn convex(solid: &Tree) -> Option<Model> {
     }
 }
 
-impl Part<'_> {
-    /// The curves of the rim, traced on a mesh of so many segments; refined as [`trace`] does.
+impl<'a> Part<'a> {
+    /// The curves of the rim, traced over triangles of so many segments; refined as [`trace`] does.
     pub fn trace(
         &self,
         viewpoint: &Viewpoint,
         segments: usize,
         is_coarse: impl Fn(&[Vector3<f64>; 3]) -> bool + Sync,
-    ) -> Vec<Vec<Vector3<f64>>> {
-        trace(&self.facing(viewpoint), &self.mesh(segments), is_coarse)
+    ) -> Vec<Curve<'a>> {
+        let facing = Facing { solid: self.solid, viewpoint: *viewpoint };
+        trace(&Seen { facing, sheet: self.sheet(segments) }, is_coarse)
     }
 
-    /// So many points at even distances along one of the curves.
-    ///
-    /// # Errors
-    /// If the viewpoint is not outside a convex part.
-    pub fn evenly(
-        &self,
-        curve: &[Vector3<f64>],
-        viewpoint: &Viewpoint,
-        count: usize,
-    ) -> Result<Vec<Vector3<f64>>, RimError> {
-        let Some(Model { shape, pose }) = &self.convex else {
-            return Ok(evenly(&self.facing(viewpoint), curve, count));
-        };
-        let points = rim(shape, &viewpoint.in_frame_of(pose), count)?;
-        Ok(points.iter().map(|x| pose.world_from_model(x)).collect())
-    }
-
-    fn facing(&self, viewpoint: &Viewpoint) -> Facing<'_, Tree> {
-        Facing { solid: self.solid, viewpoint: *viewpoint }
-    }
-
-    /// A closed mesh of the part's boundary.
-    fn mesh(&self, segments: usize) -> Mesh {
+    /// The part's boundary.
+    fn sheet(&self, segments: usize) -> Arc<dyn Sheet + 'a> {
         match self.solid {
             Tree::Leaf(Primitive { deformed, pose }) => {
                 let resolution = Resolution::new(segments).unwrap_or_default();
-                deformed_mesh(deformed, &tessellate_shape(deformed.shape(), resolution))
-                    .transformed(pose)
+                Arc::new(ChartSheet::new(deformed, pose, resolution))
             }
-            solid => boundary_mesh(solid, self.bounds, segments),
+            solid => Arc::new(GridSheet::new(solid, self.bounds, segments.max(FEWEST_CELLS))),
         }
     }
 }

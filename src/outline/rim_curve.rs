@@ -3,15 +3,15 @@
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
+use super::curve::Curve;
 use super::part::{Part, bounds, parts};
-use super::spacing::length;
 use super::visibility::Visibility;
 use crate::ray::outward_normal;
 use crate::solid::Tree;
 use crate::view::{RimError, Viewpoint, rim};
 
 /// Segments of the meshes on which the rim is looked for.
-const SEGMENTS: usize = 64;
+const SEGMENTS: usize = 32;
 
 /// Share of the solid's size that chords are off the rim, at most, where its length is measured.
 const TOLERANCE: f64 = 1e-4;
@@ -37,7 +37,7 @@ pub struct RimCurve {
 ///
 /// Of a union it is the rims of all parts, hidden where another part is in the way or around them.
 /// On edges, those of caps and of what was cut among them, where the normal jumps past the rim's
-/// condition, it follows the edge. Parts of the rim smaller than a 200th of the solid may be
+/// condition, it follows the edge. Parts of the rim smaller than a 100th of the solid may be
 /// missed.
 ///
 /// # Errors
@@ -58,22 +58,22 @@ pub fn rim_curves(
                 .map(|curve| (part, curve)),
         );
     }
-    let whole: f64 = curves.iter().map(|(_, curve)| length(curve)).sum();
+    let whole: f64 = curves.iter().map(|(_, curve)| curve.length()).sum();
     let visibility = Visibility::new(solid, bounds, *viewpoint);
-    let spaced = |(part, curve): &(&Part<'_>, Vec<Vector3<f64>>)| {
-        let share = length(curve) / whole;
+    let spaced = |(part, curve): &(&Part<'_>, Curve<'_>)| {
+        let share = curve.length() / whole;
         let count = (share * count as f64).round() as usize;
-        RimCurve::of(part, curve, viewpoint, count, &visibility)
+        RimCurve::of(part, curve, count, &visibility)
     };
     curves.iter().map(spaced).collect()
 }
 
 /// The curves of a part's rim, as dense as their length is to be measured.
-fn dense(
-    part: &Part<'_>,
+fn dense<'a>(
+    part: &Part<'a>,
     viewpoint: &Viewpoint,
     tolerance: f64,
-) -> Result<Vec<Vec<Vector3<f64>>>, RimError> {
+) -> Result<Vec<Curve<'a>>, RimError> {
     let Some(model) = &part.convex else {
         let is_coarse = |[a, middle, b]: &[Vector3<f64>; 3]| {
             (middle - 0.5 * (a + b)).norm() > tolerance.max(1e-3 * (b - a).norm())
@@ -81,7 +81,8 @@ fn dense(
         return Ok(part.trace(viewpoint, SEGMENTS, is_coarse));
     };
     let points = rim(&model.shape, &viewpoint.in_frame_of(&model.pose), DENSE)?;
-    Ok(vec![points.iter().map(|x| model.pose.world_from_model(x)).collect()])
+    let points = points.iter().map(|x| model.pose.world_from_model(x)).collect();
+    Ok(vec![Curve::convex(*model, *viewpoint, points)])
 }
 
 impl RimCurve {
@@ -113,12 +114,11 @@ impl RimCurve {
     /// A curve with so many points, at even distances.
     pub(super) fn of(
         part: &Part<'_>,
-        curve: &[Vector3<f64>],
-        viewpoint: &Viewpoint,
+        curve: &Curve<'_>,
         count: usize,
         visibility: &Visibility,
     ) -> Result<Self, RimError> {
-        let points = part.evenly(curve, viewpoint, count.max(FEWEST))?;
+        let points = curve.evenly(count.max(FEWEST))?;
         let is_hidden = |x| visibility.is_hidden(x, &outward_normal(part.solid, x));
         let is_hidden = points.par_iter().map(is_hidden).collect();
         Ok(Self { points, is_hidden })

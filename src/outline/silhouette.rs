@@ -4,10 +4,10 @@ use i_overlay::core::fill_rule::FillRule;
 use i_overlay::float::simplify::SimplifyShape;
 use nalgebra::{Vector2, Vector3};
 
+use super::curve::Curve;
 use super::part::{Part, bounds, parts};
 use super::polish::polished;
 use super::rim_curve::{RimCurve, check};
-use super::spacing::length;
 use super::visibility::Visibility;
 use crate::pose::Pose;
 use crate::ray::Rays;
@@ -26,7 +26,7 @@ const SHORTEST: f64 = 0.01;
 /// Pixels to a segment along each side of the meshes on which the rim is looked for, and fewest
 /// and most of these.
 const PIXELS_A_SEGMENT: f64 = 6.0;
-const SEGMENTS: [f64; 2] = [64.0, 128.0];
+const SEGMENTS: [f64; 2] = [32.0, 128.0];
 
 /// Pixels from a point of the rim to the next, and fewest and most points of a curve.
 const SPACING: f64 = 1.0;
@@ -48,8 +48,8 @@ impl Outline {
     /// A superellipsoid's with exponents up to 2 is its [`Contour`]. Any other's has vertices
     /// that are solved for, and chords no more than some 0.02 pixels off; where rays on either
     /// side tell otherwise, as at blades of exponents above 2, those decide, to 0.1 pixels. That
-    /// of a union is the boundary of what its parts cover. The rim has a point at least every pixel, or, of small
-    /// solids, 128 of them.
+    /// of a union is the boundary of what its parts cover. The rim has a point at least every
+    /// pixel, or, of small solids, 128 of them.
     ///
     /// # Errors
     /// If the camera is not outside the solid, or part of it is behind the camera or where the
@@ -71,9 +71,9 @@ impl Outline {
             if has_none {
                 return Err(RimError::Inside);
             }
-            for Curve { points, image } in curves {
-                let count = view.count(&points);
-                rim_camera.push(RimCurve::of(part, &points, &viewpoint, count, &visibility)?);
+            for (curve, image) in curves {
+                let count = view.count(&curve);
+                rim_camera.push(RimCurve::of(part, &curve, count, &visibility)?);
                 images.push(image);
             }
         }
@@ -118,10 +118,7 @@ impl Outline {
 }
 
 /// A curve of the rim in the camera's frame, and its image.
-struct Curve {
-    points: Vec<Vector3<f64>>,
-    image: Vec<[f64; 2]>,
-}
+type Imaged<'a> = (Curve<'a>, Vec<[f64; 2]>);
 
 /// A camera, and where it looks from in its own frame.
 struct View<'a, P> {
@@ -138,17 +135,19 @@ impl<P: Projection + Sync> View<'_, P> {
         }
     }
 
-    fn curves(&self, part: &Part<'_>) -> Result<Vec<Curve>, RimError> {
+    /// The curves of a part's rim, each with its image.
+    fn curves<'a>(&self, part: &Part<'a>) -> Result<Vec<Imaged<'a>>, RimError> {
         if let Some(model) = &part.convex {
             let contour = Contour::of(model, self.camera)?;
             let image = contour.polygon().to_vec();
-            return Ok(vec![Curve { points: contour.rim_camera().to_vec(), image }]);
+            let points = contour.rim_camera().to_vec();
+            return Ok(vec![(Curve::convex(*model, self.viewpoint, points), image)]);
         }
         let is_coarse = |points: &[Vector3<f64>; 3]| self.is_coarse(points);
         let curves = part.trace(&self.viewpoint, self.segments(part), is_coarse);
-        let imaged = |points: Vec<Vector3<f64>>| {
-            let image = points.iter().map(|x| self.pixel(x)).collect::<Result<_, _>>()?;
-            Ok(Curve { points, image })
+        let imaged = |curve: Curve<'a>| {
+            let image = curve.points.iter().map(|x| self.pixel(x)).collect::<Result<_, _>>()?;
+            Ok((curve, image))
         };
         curves.into_iter().map(imaged).collect()
     }
@@ -180,9 +179,9 @@ impl<P: Projection + Sync> View<'_, P> {
     }
 
     /// Points of a curve of the rim.
-    fn count(&self, curve: &[Vector3<f64>]) -> usize {
-        let greatest = curve.iter().map(|x| self.scale(x)).fold(0.0, f64::max);
-        (length(curve) * greatest / SPACING).clamp(POINTS[0], POINTS[1]) as usize
+    fn count(&self, curve: &Curve<'_>) -> usize {
+        let greatest = curve.points.iter().map(|x| self.scale(x)).fold(0.0, f64::max);
+        (curve.length() * greatest / SPACING).clamp(POINTS[0], POINTS[1]) as usize
     }
 
     /// Pixels to a unit of length across the line of sight.

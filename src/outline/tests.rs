@@ -1,4 +1,4 @@
-//! Outlines of every family and of deformed shapes against rays.
+//! Rims of smooth shapes, deformed or not, and of a torus.
 
 use nalgebra::Vector3;
 
@@ -6,22 +6,13 @@ use super::*;
 use crate::deform::{Bend, Chain, Deformation, Deformed, Line, Taper, Twist};
 use crate::model::Model;
 use crate::pose::Pose;
-use crate::ray::{Hittable, Rays, SolidTarget, outward_normal};
-use crate::shape::{
-    LevelSet, Shape, Superellipsoid, SuperhyperboloidOneSheet, SuperhyperboloidTwoSheets,
-    Supertoroid, ThreeExponent,
-};
+use crate::ray::outward_normal;
+use crate::shape::{LevelSet, Shape, Superellipsoid, Supertoroid, ThreeExponent};
 use crate::solid::{Primitive, Tree};
-use crate::view::{Camera, Distortion, OrthographicCamera, Projection, Viewpoint};
+use crate::view::{OrthographicCamera, Viewpoint};
 
 const WIDTH: u32 = 100;
 const HEIGHT: u32 = 80;
-
-/// Most pixels between a polygon and the edge of the ray-cast mask.
-const TOLERANCE: f64 = 0.5;
-
-/// Every which pixel a ray is cast through, along rows and columns.
-const STRIDE: usize = 5;
 
 fn stages() -> [Deformation; 3] {
     let line = |at_zero, slope| Line::new(at_zero, slope).unwrap();
@@ -42,17 +33,6 @@ fn smooth() -> Vec<Shape> {
     ]
 }
 
-fn edged() -> Vec<Shape> {
-    let size = [0.5, 0.6, 0.4];
-    vec![
-        Superellipsoid::new([1.0, 1.4, 0.7], [1.0, 2.6]).unwrap().into(),
-        Superellipsoid::new([1.0, 1.4, 0.7], [0.1, 0.1]).unwrap().into(),
-        SuperhyperboloidOneSheet::new(size, [1.0, 1.0], 2.0).unwrap().into(),
-        SuperhyperboloidOneSheet::new(size, [0.7, 1.3], 2.0).unwrap().into(),
-        SuperhyperboloidTwoSheets::new(size, [1.0, 1.0], 2.5).unwrap().into(),
-    ]
-}
-
 fn solids(shapes: &[Shape]) -> Vec<Deformed<Shape>> {
     let of = |shape: &Shape, stages: &[Deformation]| {
         Deformed::new(*shape, Chain::new(stages.to_vec())).unwrap()
@@ -61,79 +41,8 @@ fn solids(shapes: &[Shape]) -> Vec<Deformed<Shape>> {
     plain.chain(shapes.iter().map(|shape| of(shape, &stages()))).collect()
 }
 
-fn poses() -> [Pose; 2] {
-    let centre = Vector3::new(0.2, -0.1, 6.0);
-    [[0.3, 0.8, -0.4], [1.0, 1.5, 0.2]].map(|angles| Pose::from_euler_zyz(angles, centre))
-}
-
-fn pinhole() -> Camera {
-    Camera {
-        fx: 120.0,
-        fy: 125.0,
-        cx: 48.0,
-        cy: 41.0,
-        width: WIDTH,
-        height: HEIGHT,
-        depth_unit: None,
-        distortion: Distortion::new(&[-0.1, 0.01, 1e-3, -2e-3]).unwrap(),
-    }
-}
-
 fn parallel() -> OrthographicCamera {
     OrthographicCamera { scale: [21.0, 20.0], origin: [47.3, 40.1], width: WIDTH, height: HEIGHT }
-}
-
-/// Crossings of a line to the right, even-odd, and the distance to the nearest side.
-fn place(polygons: &[Vec<[f64; 2]>], [u, v]: [f64; 2]) -> (bool, f64) {
-    let (mut is_inside, mut nearest) = (false, f64::INFINITY);
-    for polygon in polygons {
-        for (i, a) in polygon.iter().enumerate() {
-            let b = polygon[(i + 1) % polygon.len()];
-            let [x, y] = [b[0] - a[0], b[1] - a[1]];
-            is_inside ^= (a[1] <= v) != (b[1] <= v) && a[0] + (v - a[1]) / y * x > u;
-            let share = ((u - a[0]) * x + (v - a[1]) * y) / (x * x + y * y);
-            let share = if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 };
-            nearest = nearest.min((a[0] + share * x - u).hypot(a[1] + share * y - v));
-        }
-    }
-    (is_inside, nearest)
-}
-
-fn assert_is_edge_of_mask(primitive: &Primitive<Shape>, camera: &(impl Projection + Rays + Sync)) {
-    let solid = Tree::from(primitive.clone());
-    let outline = Outline::of(&solid, camera).unwrap();
-    let target = SolidTarget::new(&solid);
-    let mut seen = 0;
-    for row in (0..HEIGHT).step_by(STRIDE).map(f64::from) {
-        for column in (0..WIDTH).step_by(STRIDE).map(f64::from) {
-            let Some(ray) = camera.ray(column, row) else { continue };
-            let is_object = target.first_hit(&ray).is_some();
-            seen += u32::from(is_object);
-            let (is_inside, off) = place(outline.polygons(), [column, row]);
-            assert!(
-                is_inside == is_object || off < TOLERANCE,
-                "{off} pixels at {column}, {row} of {primitive:?}"
-            );
-        }
-    }
-    let seen = seen * (STRIDE * STRIDE) as u32;
-    assert!(seen > 150, "{seen} pixels of {primitive:?}");
-    let [[left, top], [right, bottom]] = outline.bounding_box();
-    let is_whole = left > 0.0 && top > 0.0 && right < 99.0 && bottom < 79.0;
-    let excess = (outline.area() / f64::from(seen) - 1.0).abs();
-    assert!(!is_whole || excess < 0.3, "{} {seen}", outline.area());
-}
-
-#[test]
-fn outlines_are_the_edges_of_ray_cast_masks_of_both_cameras() {
-    for deformed in solids(&[smooth(), edged()].concat()) {
-        let is_plain = deformed.chain().stages().is_empty();
-        for pose in poses().into_iter().take(if is_plain { 2 } else { 1 }) {
-            let primitive = Primitive { deformed: deformed.clone(), pose };
-            assert_is_edge_of_mask(&primitive, &pinhole());
-            assert_is_edge_of_mask(&primitive, &parallel());
-        }
-    }
 }
 
 #[test]

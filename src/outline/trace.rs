@@ -1,62 +1,59 @@
 //! The rim of one solid as closed curves whose points are solved for.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use super::facing::Facing;
-use crate::shape::LevelSet;
-use crate::surface::Mesh;
+use super::curve::Curve;
+use super::path::{Path, Piece, Seen};
 
-/// Halvings of a chord, at most.
+/// Halvings of a piece, at most.
 const HALVINGS: u32 = 12;
-
-/// Share of the mesh's size within which points are one: where several edges of the mesh meet on
-/// an edge of the solid.
-const SAME: f64 = 1e-9;
 
 /// The rim as closed curves of points of it, the last next to the first; what faces the camera is
 /// to their left, as seen from outside.
 ///
-/// It separates the vertices of a mesh that face the camera from those that do not; parts smaller
-/// than the mesh's triangles may be missed. Chords are halved, with the point of the rim beside
-/// their middle, as long as they are coarse: `is_coarse([start, beside the middle, end])`. On
-/// edges, those of caps among them, where the normal jumps past the rim's condition, it follows
-/// the edge.
-pub(super) fn trace<S: LevelSet + Sync>(
-    facing: &Facing<'_, S>,
-    mesh: &Mesh,
+/// It separates the corners of triangles that face the camera from those that do not; parts smaller
+/// than the triangles may be missed. Chords are halved, with the point of the rim over their middle,
+/// as long as they are coarse: `is_coarse([start, over the middle, end])`. On edges, those of caps
+/// among them, where the normal jumps past the rim's condition, it follows the edge.
+pub(super) fn trace<'a>(
+    seen: &Seen<'a>,
     is_coarse: impl Fn(&[Vector3<f64>; 3]) -> bool + Sync,
-) -> Vec<Vec<Vector3<f64>>> {
-    let from_first = |x: &Vector3<f64>| (x - mesh.vertices()[0]).norm();
-    let same = SAME * mesh.vertices().iter().map(from_first).fold(0.0, f64::max);
-    let curve = |edges: Vec<[u32; 2]>| {
-        let ends = |edge: [u32; 2]| edge.map(|i| mesh.vertices()[i as usize]);
-        let mut points: Vec<Vector3<f64>> =
-            edges.into_par_iter().map(|edge| facing.crossing(ends(edge))).collect();
-        points.dedup_by(|a, b| (*a - *b).norm() <= same);
-        refined(facing, &points, &is_coarse)
+) -> Vec<Curve<'a>> {
+    let corners = 0..seen.sheet.count() as u32;
+    let faces: Vec<bool> =
+        corners.into_par_iter().map(|corner| seen.faces(&seen.corner(corner))).collect();
+    let loops = loops(seen.sheet.triangles(), &faces);
+    let beyond = Beyond::new(seen.sheet.triangles(), &faces, &loops);
+    let curve = |crossed: Vec<[u32; 2]>| {
+        let next = crossed.iter().cycle().skip(1);
+        let pieces = crossed.iter().zip(next).map(|(from, to)| beyond.piece(*from, *to)).collect();
+        let path = Path::new(seen.clone(), pieces, crossed);
+        let (places, points) = refined(&path, &is_coarse);
+        Curve::traced(path, places, points)
     };
-    loops(mesh, facing).into_iter().map(curve).filter(|curve| curve.len() >= 3).collect()
+    loops.into_par_iter().map(curve).collect()
 }
 
-/// A closed curve with points between its own until none of its chords is coarse.
-fn refined<S: LevelSet + Sync>(
-    facing: &Facing<'_, S>,
-    points: &[Vector3<f64>],
+/// Places on a closed path, and their points, so many that no chord between them is coarse.
+fn refined(
+    path: &Path<'_>,
     is_coarse: &(impl Fn(&[Vector3<f64>; 3]) -> bool + Sync),
-) -> Vec<Vector3<f64>> {
+) -> (Vec<f64>, Vec<Vector3<f64>>) {
+    let at = |place: f64| (place, path.at(place));
+    let starts = path.starts();
     let piece = |i: usize| {
-        let (start, end) = (points[i], points[(i + 1) % points.len()]);
-        let mut piece = vec![start];
+        let mut piece = vec![(i as f64, starts[i])];
         // Ends of what lies ahead, nearest last.
-        let mut ahead = vec![(end, 0)];
+        let mut ahead = vec![((i as f64 + 1.0, starts[(i + 1) % starts.len()]), 0)];
         while let Some((end, halved)) = ahead.pop() {
             let start = piece[piece.len() - 1];
-            let middle = (halved < HALVINGS).then(|| facing.beside([start, end], 0.5)).flatten();
+            let is_point = start.1 == end.1;
+            let middle = (halved < HALVINGS && !is_point).then(|| at(0.5 * (start.0 + end.0)));
             match middle {
-                Some(middle) if is_coarse(&[start, middle, end]) => {
+                Some(middle) if is_coarse(&[start.1, middle.1, end.1]) => {
                     ahead.extend([(end, halved + 1), (middle, halved + 1)]);
                 }
                 _ => piece.push(end),
@@ -65,20 +62,18 @@ fn refined<S: LevelSet + Sync>(
         piece.pop();
         piece
     };
-    (0..points.len()).into_par_iter().flat_map_iter(piece).collect()
+    (0..starts.len()).into_par_iter().flat_map_iter(piece).unzip()
 }
 
-/// The edges `[front, back]` that each closed curve of the rim crosses, in their order.
+/// The sides `[front, back]` that each closed curve of the rim crosses, in their order.
 ///
-/// Of a triangle that the rim crosses one edge leads away from what faces the camera and one back
-/// to it. The latter is the former of the triangle beyond it: on a closed mesh all curves close.
-fn loops<S: LevelSet + Sync>(mesh: &Mesh, facing: &Facing<'_, S>) -> Vec<Vec<[u32; 2]>> {
-    let faces: Vec<bool> = mesh.vertices().par_iter().map(|x| facing.away(x) < 0.0).collect();
+/// Of a triangle that the rim crosses one side leads away from what faces the camera and one back
+/// to it. The latter is the former of the triangle beyond it: on a closed surface all curves close.
+fn loops(triangles: &[[u32; 3]], faces: &[bool]) -> Vec<Vec<[u32; 2]>> {
     let mut next = BTreeMap::new();
-    for &[a, b, c] in mesh.triangles() {
-        let edges = [[a, b], [b, c], [c, a]];
+    for triangle in triangles {
         let turned = |from: bool| {
-            edges
+            sides(*triangle)
                 .into_iter()
                 .find(|[i, j]| faces[*i as usize] == from && faces[*j as usize] != from)
         };
@@ -87,13 +82,52 @@ fn loops<S: LevelSet + Sync>(mesh: &Mesh, facing: &Facing<'_, S>) -> Vec<Vec<[u3
         }
     }
     let mut loops = Vec::new();
-    while let Some((first, mut edge)) = next.pop_first() {
+    while let Some((first, mut side)) = next.pop_first() {
         let mut crossed = vec![first];
-        while let Some(following) = next.remove(&edge) {
-            crossed.push(edge);
-            edge = following;
+        while let Some(following) = next.remove(&side) {
+            crossed.push(side);
+            side = following;
         }
         loops.push(crossed);
     }
     loops
+}
+
+fn sides([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
+    [[a, b], [b, c], [c, a]]
+}
+
+/// What lies beyond the triangles that the rim crosses.
+struct Beyond<'a> {
+    faces: &'a [bool],
+    /// The third corner of the triangles that have a side, by the side.
+    corners: HashMap<[u32; 2], u32>,
+}
+
+impl<'a> Beyond<'a> {
+    fn new(triangles: &[[u32; 3]], faces: &'a [bool], loops: &[Vec<[u32; 2]>]) -> Self {
+        let mut is_near = vec![false; faces.len()];
+        loops.iter().flatten().flatten().for_each(|corner| is_near[*corner as usize] = true);
+        let mut corners = HashMap::new();
+        for triangle in triangles {
+            for (side @ [a, b], opposite) in sides(*triangle).into_iter().zip([2, 0, 1]) {
+                if is_near[a as usize] && is_near[b as usize] {
+                    corners.insert(side, triangle[opposite]);
+                }
+            }
+        }
+        Self { faces, corners }
+    }
+
+    /// The piece of the rim between two sides `[front, back]` of a triangle.
+    fn piece(&self, from: [u32; 2], to: [u32; 2]) -> Piece {
+        let faces = from[0] == to[0];
+        let (apex, base) =
+            if faces { (from[0], [from[1], to[1]]) } else { (from[1], [from[0], to[0]]) };
+        // The triangle passes its base from the first end to the last if its apex faces the camera.
+        let [a, b] = base;
+        let beyond = self.corners.get(&if faces { [b, a] } else { [a, b] });
+        let beyond = beyond.copied().filter(|corner| self.faces[*corner as usize] != faces);
+        Piece { apex, faces, base, beyond }
+    }
 }

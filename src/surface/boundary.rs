@@ -25,22 +25,43 @@ const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [1, 0, 2], [0,
 /// Vertices lie on the surface, where it passes the edges of tetrahedra.
 pub fn boundary_mesh(
     solid: &(impl LevelSet + Sync),
-    [min, max]: [Vector3<f64>; 2],
+    bounds: [Vector3<f64>; 2],
     cells: usize,
 ) -> Mesh {
+    let (edges, triangles) = march(solid, bounds, cells);
+    let vertices = edges.into_par_iter().map(|edge| crossing(solid, edge)).collect();
+    Mesh::new(vertices, triangles)
+}
+
+/// The edges of tetrahedra, from within a solid to without, that its boundary passes, and triangles
+/// of the places where it does.
+pub(super) fn march(
+    solid: &(impl LevelSet + Sync),
+    [min, max]: [Vector3<f64>; 2],
+    cells: usize,
+) -> (Vec<[Vector3<f64>; 2]>, Vec<[u32; 3]>) {
     let extent = max - min;
     let is_empty = extent.iter().any(|&side| !(side > 0.0 && side.is_finite()));
     if is_empty || cells == 0 {
-        return Mesh::new(Vec::new(), Vec::new());
+        return (Vec::new(), Vec::new());
     }
     let step = extent.max() / cells as f64;
     let count = extent.map(|side| (side * (1.0 + 2.0 * MARGIN) / step).ceil() as usize);
     let grid = Grid { origin: min - MARGIN * extent, step, count: count.into() };
     let levels: Vec<f64> =
         (0..grid.nodes()).into_par_iter().map(|node| solid.level(grid.position(node))).collect();
-    let mut march = March { solid, grid, levels, vertices: Vec::new(), known: HashMap::new() };
+    let mut march = March { grid, levels, edges: Vec::new(), known: HashMap::new() };
     let triangles = (0..grid.cells()).flat_map(|cell| march.cell(cell)).collect();
-    Mesh::new(march.vertices, triangles)
+    (march.edges, triangles)
+}
+
+/// Where the boundary passes an edge from within a solid to without.
+fn crossing(solid: &impl LevelSet, [mut inner, mut outer]: [Vector3<f64>; 2]) -> Vector3<f64> {
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (inner + outer);
+        if solid.level(middle.into()) < 1.0 { inner = middle } else { outer = middle }
+    }
+    0.5 * (inner + outer)
 }
 
 /// Nodes at equal steps.
@@ -81,16 +102,15 @@ impl Grid {
     }
 }
 
-/// The march through the cells, and the vertices found on the way.
-struct March<'a, S> {
-    solid: &'a S,
+/// The march through the cells, and the edges found on the way, from within to without.
+struct March {
     grid: Grid,
     levels: Vec<f64>,
-    vertices: Vec<Vector3<f64>>,
+    edges: Vec<[Vector3<f64>; 2]>,
     known: HashMap<[usize; 2], u32>,
 }
 
-impl<S: LevelSet> March<'_, S> {
+impl March {
     fn cell(&mut self, cell: usize) -> Vec<[u32; 3]> {
         let lowest = self.grid.lowest(cell);
         let strides = self.grid.strides();
@@ -115,21 +135,23 @@ impl<S: LevelSet> March<'_, S> {
         let is_inside = corners.map(|corner| self.levels[corner] < 1.0);
         let inner: Vec<usize> = (0..4).filter(|&i| is_inside[i]).collect();
         match inner[..] {
-            [one] => triangles.push(self.cap(corners, one)),
+            [one] => triangles.push(self.cap(corners, one, true)),
             [a, b] => triangles.extend(self.strip(corners, [a, b])),
             [_, _, _] => {
                 let outer = (0..4).find(|&i| !is_inside[i]).unwrap_or(0);
-                let [a, b, c] = self.cap(corners, outer);
+                let [a, b, c] = self.cap(corners, outer, false);
                 triangles.push([a, c, b]);
             }
             _ => {}
         }
     }
 
-    /// The triangle around a corner, which faces away from it.
-    fn cap(&mut self, corners: [usize; 4], apex: usize) -> [u32; 3] {
-        let [a, b, c] = opposite(apex);
-        [a, b, c].map(|other| self.vertex(corners[apex], corners[other]))
+    /// The triangle around a corner that alone is inside or outside; it faces away from the corner.
+    fn cap(&mut self, corners: [usize; 4], apex: usize, is_inside: bool) -> [u32; 3] {
+        opposite(apex).map(|other| {
+            let [from, to] = [corners[apex], corners[other]];
+            if is_inside { self.vertex(from, to) } else { self.vertex(to, from) }
+        })
     }
 
     /// The two triangles between an inner edge and the outer one.
@@ -143,27 +165,12 @@ impl<S: LevelSet> March<'_, S> {
         [[ac, ad, bd], [ac, bd, bc]]
     }
 
-    /// Where the surface passes an edge; the same from both sides.
-    fn vertex(&mut self, from: usize, to: usize) -> u32 {
-        let edge = [from.min(to), from.max(to)];
-        if let Some(&vertex) = self.known.get(&edge) {
-            return vertex;
-        }
-        let vertex = self.vertices.len() as u32;
-        self.vertices.push(self.crossing(edge));
-        self.known.insert(edge, vertex);
-        vertex
-    }
-
-    fn crossing(&self, edge: [usize; 2]) -> Vector3<f64> {
-        let [mut from, mut to] = edge.map(|node| Vector3::from(self.grid.position(node)));
-        let starts_inside = self.levels[edge[0]] < 1.0;
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (from + to);
-            let is_inside = self.solid.level(middle.into()) < 1.0;
-            if is_inside == starts_inside { from = middle } else { to = middle }
-        }
-        0.5 * (from + to)
+    /// The number of an edge from a node within to one without.
+    fn vertex(&mut self, inner: usize, outer: usize) -> u32 {
+        *self.known.entry([inner, outer]).or_insert_with(|| {
+            self.edges.push([inner, outer].map(|node| self.grid.position(node).into()));
+            self.edges.len() as u32 - 1
+        })
     }
 }
 

@@ -5,6 +5,7 @@
 //! images cover the boundary, caps of a clip included, once.
 
 mod bowls;
+mod crease;
 mod superellipsoid;
 mod three_exponent;
 mod torus;
@@ -26,6 +27,11 @@ pub(super) trait Chart {
 
     /// The boundary's point at a place of the polyhedron, each coordinate over its semi-axis.
     fn unit_point(&self, place: &Vector3<f64>) -> Vector3<f64>;
+
+    /// Whether a place within a face is of one that goes to a cap, where a clip ends the shape.
+    fn is_on_cap(&self, _place: &Vector3<f64>) -> bool {
+        false
+    }
 
     /// The polyhedron with `n` segments along the edges of its faces, `n` even, spread by a
     /// grading.
@@ -137,6 +143,10 @@ impl Chart for Shape {
 
     fn unit_point(&self, place: &Vector3<f64>) -> Vector3<f64> {
         of_any_family!(self, chart => chart.unit_point(place))
+    }
+
+    fn is_on_cap(&self, place: &Vector3<f64>) -> bool {
+        of_any_family!(self, chart => chart.is_on_cap(place))
     }
 
     fn lattice(&self, n: usize, grading: Grading) -> Lattice {

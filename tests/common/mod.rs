@@ -1,6 +1,8 @@
 //! Clouds with known truth, made from seeds.
 #![allow(dead_code)] // each test file uses its own part
 
+pub mod silhouette;
+
 use std::path::{Path, PathBuf};
 
 use nalgebra::{Rotation3, UnitQuaternion, Vector3};

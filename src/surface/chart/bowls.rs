@@ -24,9 +24,12 @@ impl Chart for SuperhyperboloidTwoSheets {
     /// bounds.
     fn unit_point(&self, place: &Vector3<f64>) -> Vector3<f64> {
         let [v, w] = within_rim(self, [place.y, place.z]);
-        let is_on_cap = place.x.abs() > BASE - ROUNDING;
-        let height = if is_on_cap { self.top() } else { self.height(v.abs(), w.abs()) };
+        let height = if self.is_on_cap(place) { self.top() } else { self.height(v.abs(), w.abs()) };
         Vector3::new(height.copysign(place.x), v, w)
+    }
+
+    fn is_on_cap(&self, place: &Vector3<f64>) -> bool {
+        place.x.abs() > BASE - ROUNDING
     }
 
     /// A square lattice of `n` cells a side, laid on a bowl and once more on its cap: both have the

@@ -9,6 +9,9 @@ use super::superellipsoid::flattened_cube_point;
 use super::{Chart, Lattice, Square};
 use crate::shape::SuperhyperboloidOneSheet;
 
+/// Places this near to the cube's sides are of the wall: rounding moves none further.
+const ROUNDING: f64 = 1e-9;
+
 impl Chart for SuperhyperboloidOneSheet {
     fn size(&self) -> [f64; 3] {
         self.size()
@@ -18,6 +21,10 @@ impl Chart for SuperhyperboloidOneSheet {
     fn unit_point(&self, place: &Vector3<f64>) -> Vector3<f64> {
         let level = flattened_cube_point([place.x, place.y, 0.0], self.exponents()[1]);
         level * self.radius(place.z.abs()) + Vector3::new(0.0, 0.0, place.z)
+    }
+
+    fn is_on_cap(&self, place: &Vector3<f64>) -> bool {
+        place.x.abs().max(place.y.abs()) < 1.0 - ROUNDING
     }
 
     fn lattice(&self, n: usize, grading: Grading) -> Lattice {
