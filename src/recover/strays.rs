@@ -44,6 +44,10 @@ const ON_ALL: Schedule = Schedule { rounds: 8, is_share_free: true };
 const OUTLIERS_GAIN: f64 = 0.02;
 const FEW: f64 = 0.1;
 
+/// Deviation about the model of the half that fits best, in that about the model of all, below which
+/// the others had drawn the fit off.
+const DRAWN_OFF: f64 = 0.5;
+
 /// Where a search has led, and what it cost.
 #[derive(Debug)]
 pub(crate) struct Recovery {
@@ -135,7 +139,8 @@ impl CoreSearch<'_> {
     }
 
     /// A mixture, or where its own points misfit, that around the half of all points that fits best,
-    /// if it is much likelier. Neighbours have no say: they hold any surface for this one.
+    /// if these are much nearer to it and all are much likelier. Neighbours have no say: they hold
+    /// any surface for this one.
     fn concentrate(&mut self, fit: MixtureFit) -> MixtureFit {
         let own = Subset::of(self.sample.points, &fit.surface());
         if !is_misfit(&PointSet { points: own.columns(), ..*self.sample }, &fit.descent.model) {
@@ -151,7 +156,9 @@ impl CoreSearch<'_> {
         let start = Mixture { variance, stray_share: 1.0 - CORE_SHARE, ..fit.mixture };
         let before = self.settle(&fit.descent.model, fit.mixture)?;
         let fit = self.settle(&model, start)?;
-        (fit.log_likelihood - before.log_likelihood > OUTLIERS_GAIN).then_some(fit)
+        let is_nearer = fit.mixture.variance < DRAWN_OFF.powi(2) * before.mixture.variance;
+        let is_likelier = fit.log_likelihood - before.log_likelihood > OUTLIERS_GAIN;
+        (is_nearer && is_likelier).then_some(fit)
     }
 
     /// The best few of a core's minima by the likelihood of a mixture on few of its points.
