@@ -3,7 +3,8 @@ a memory map of the bytes, and from it a float64 column for each of x, y and z.
 
 Usage: python3 benches/reading.py [POINTS]   (needs numpy and the package, built with --release)
 
-Both read the same file in turn, in one process, from the page cache; the medians are compared.
+Both read the same file in turn, in one process, from the page cache. The medians of the processor's
+time for it are compared, which other work on the machine changes little.
 """
 
 import statistics
@@ -57,7 +58,7 @@ def milliseconds(action: Callable[[], object]) -> float:
 def main() -> None:
     count = int(sys.argv[1]) if len(sys.argv) > 1 else POINTS
     points = np.random.default_rng(0).normal(size=(count, 3))
-    print(f"{count} points, medians of {RUNS} runs of each, in turn\n")
+    print(f"{count} points, medians of {RUNS} runs of each, in turn, processor time\n")
     print("| rows | plain ms | superquadric.read ms | ratio |")
     print("| --- | ---: | ---: | ---: |")
     with tempfile.TemporaryDirectory() as folder:
