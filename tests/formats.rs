@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use superquadric::cloud::read;
+use superquadric::cloud::{read, read_rows};
 
 /// What a file of the corpus should read as.
 enum Expected {
@@ -93,6 +93,17 @@ fn each_file_of_the_corpus_reads_as_it_should() {
         if !is_right {
             let found = result.map(|cloud| (cloud.len(), cloud.skipped_rows().len()));
             failures.push(format!("{name}: {found:?}"));
+            continue;
+        }
+        match (result, read_rows(&corpus.join(name))) {
+            (Ok(cloud), Ok(rows)) => {
+                assert!(rows.points.iter().copied().eq(cloud.points()), "{name}");
+                assert_eq!(rows.skipped_rows, cloud.skipped_rows(), "{name}");
+            }
+            (cloud, rows) => assert_eq!(
+                cloud.err().map(|error| error.to_string()),
+                rows.err().map(|error| error.to_string()),
+            ),
         }
     }
     assert!(failures.is_empty(), "{}", failures.join("\n"));

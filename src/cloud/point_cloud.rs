@@ -1,5 +1,8 @@
 //! A cloud of finite points, stored as three coordinate columns.
 
+use super::points::{Points, all_finite};
+use super::room;
+
 /// Columns x, y, z of equally many points.
 pub type PointColumns<'a> = [&'a [f64]; 3];
 
@@ -24,9 +27,9 @@ impl PointCloud {
     /// An empty cloud with room for `capacity` points.
     pub fn with_capacity(capacity: usize) -> Self {
         Self {
-            x: Vec::with_capacity(capacity),
-            y: Vec::with_capacity(capacity),
-            z: Vec::with_capacity(capacity),
+            x: room::with_capacity(capacity),
+            y: room::with_capacity(capacity),
+            z: room::with_capacity(capacity),
             skipped_rows: Vec::new(),
         }
     }
@@ -39,26 +42,10 @@ impl PointCloud {
         cloud
     }
 
-    /// A cloud of the rows of three columns of one length; those that are not finite are skipped
-    /// and counted.
-    pub(super) fn from_columns([x, y, z]: [Vec<f64>; 3]) -> Self {
-        let is_finite = |column: &Vec<f64>| column.iter().all(|value| value.is_finite());
-        if [&x, &y, &z].into_iter().all(is_finite) {
-            return Self { x, y, z, skipped_rows: Vec::new() };
-        }
-        Self::from_rows(x.into_iter().zip(y).zip(z).map(|((x, y), z)| [x, y, z]))
-    }
-
     /// Appends the next input row, or counts it as skipped if a coordinate is not finite.
     #[inline]
-    pub fn push(&mut self, [x, y, z]: [f64; 3]) {
-        if x.is_finite() && y.is_finite() && z.is_finite() {
-            self.x.push(x);
-            self.y.push(y);
-            self.z.push(z);
-        } else {
-            self.skipped_rows.push(self.rows());
-        }
+    pub fn push(&mut self, row: [f64; 3]) {
+        Points::push(self, row);
     }
 
     /// The number of points kept.
@@ -97,6 +84,43 @@ impl PointCloud {
     /// The x, y and z columns, each of length [`len`](Self::len).
     pub fn columns(&self) -> PointColumns<'_> {
         [&self.x, &self.y, &self.z]
+    }
+}
+
+impl Points for PointCloud {
+    fn with_capacity(capacity: usize) -> Self {
+        Self::with_capacity(capacity)
+    }
+
+    fn rows(&self) -> usize {
+        self.rows()
+    }
+
+    #[inline]
+    fn keep(&mut self, [x, y, z]: [f64; 3]) {
+        self.x.push(x);
+        self.y.push(y);
+        self.z.push(z);
+    }
+
+    fn keep_all(&mut self, [x, y, z]: PointColumns<'_>) {
+        self.x.extend_from_slice(x);
+        self.y.extend_from_slice(y);
+        self.z.extend_from_slice(z);
+    }
+
+    fn skip(&mut self) {
+        self.skipped_rows.push(self.rows());
+    }
+
+    /// The columns themselves, where all is finite.
+    fn from_columns([x, y, z]: [Vec<f64>; 3]) -> Self {
+        if [&x, &y, &z].into_iter().all(|column| all_finite(column)) {
+            return Self { x, y, z, skipped_rows: Vec::new() };
+        }
+        let mut cloud = Self::with_capacity(x.len());
+        cloud.append([&x, &y, &z]);
+        cloud
     }
 }
 

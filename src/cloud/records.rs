@@ -1,9 +1,13 @@
 //! Coordinates in binary rows of one fixed size, or in columns.
 
-use super::PointCloud;
 use super::error::{Place, Problem};
 use super::input::{CAPACITY, Input};
-use super::scalar::{ByteOrder, Scalar, first};
+use super::points::Points;
+use super::room;
+use super::scalar::{ByteOrder, Scalar};
+
+/// The rows decoded at a time, so few that they and their columns stay in the first-level cache.
+const BLOCK: usize = 512;
 
 /// Where in a binary row of fixed size the three coordinates are.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -21,7 +25,7 @@ pub(super) struct Records<'n> {
 }
 
 impl Records<'_> {
-    /// Reads `count` rows and appends their coordinates to the cloud.
+    /// Reads `count` rows and hands their coordinates on.
     ///
     /// # Errors
     /// The input cannot be read or ends too early, or a row is longer than [`CAPACITY`].
@@ -29,39 +33,8 @@ impl Records<'_> {
         &self,
         input: &mut Input<'_>,
         count: u64,
-        cloud: &mut PointCloud,
+        points: &mut impl Points,
     ) -> Result<(), Problem> {
-        let [x, y, z] = self.offsets.map(|offset| offset as usize);
-        macro_rules! same {
-            ($type:ty) => {
-                match self.order {
-                    ByteOrder::Little => self.read_with(input, count, cloud, |row| {
-                        [x, y, z].map(|at| <$type>::from_le_bytes(first(&row[at..])).into())
-                    }),
-                    ByteOrder::Big => self.read_with(input, count, cloud, |row| {
-                        [x, y, z].map(|at| <$type>::from_be_bytes(first(&row[at..])).into())
-                    }),
-                }
-            };
-        }
-        match self.scalars {
-            [Scalar::F32, Scalar::F32, Scalar::F32] => same!(f32),
-            [Scalar::F64, Scalar::F64, Scalar::F64] => same!(f64),
-            [kind_x, kind_y, kind_z] => self.read_with(input, count, cloud, |row| {
-                [(kind_x, x), (kind_y, y), (kind_z, z)]
-                    .map(|(kind, at)| kind.decode(&row[at..], self.order))
-            }),
-        }
-    }
-
-    fn read_with(
-        &self,
-        input: &mut Input<'_>,
-        count: u64,
-        cloud: &mut PointCloud,
-        decode: impl Fn(&[u8]) -> [f64; 3],
-    ) -> Result<(), Problem> {
-        expect_rows(input, self.element, count, self.stride)?;
         if self.stride == 0 || self.stride > CAPACITY as u64 {
             return Err(Problem::malformed(
                 Place::Byte(input.offset()),
@@ -70,23 +43,50 @@ impl Records<'_> {
             ));
         }
         let stride = self.stride as usize;
-        let mut left = count;
-        while left > 0 {
-            let found = input.fill(stride)?.len();
-            let rows = left.min((found / stride) as u64);
-            if rows == 0 {
-                let end = input.offset() + found as u64;
-                return Err(cut_short(self.element, count - left, end, count, self.stride));
-            }
-            let length = rows as usize * stride;
-            for row in input.at_hand()[..length].chunks_exact(stride) {
-                cloud.push(decode(row));
-            }
-            input.consume(length);
-            left -= rows;
-        }
-        Ok(())
+        let mut columns = [const { Vec::new() }; 3];
+        for_each_block(input, self.element, count, stride, |rows| {
+            columns.iter_mut().for_each(Vec::clear);
+            self.decode(rows, &mut columns);
+            points.append(columns.each_ref().map(Vec::as_slice));
+        })
     }
+
+    /// Appends the coordinates of whole rows to the columns.
+    fn decode(&self, rows: &[u8], columns: &mut [Vec<f64>; 3]) {
+        for (axis, column) in columns.iter_mut().enumerate() {
+            let offset = self.offsets[axis] as usize;
+            let rows = rows.chunks_exact(self.stride as usize);
+            self.scalars[axis].append(rows.map(|row| &row[offset..]), self.order, column);
+        }
+    }
+}
+
+/// Reads `count` rows of `stride` bytes, and hands them on some whole rows at a time.
+///
+/// # Errors
+/// The input cannot be read or ends too early.
+fn for_each_block(
+    input: &mut Input<'_>,
+    element: &str,
+    count: u64,
+    stride: usize,
+    mut action: impl FnMut(&[u8]),
+) -> Result<(), Problem> {
+    expect_rows(input, element, count, stride as u64)?;
+    let mut left = count;
+    while left > 0 {
+        let found = input.fill(stride)?.len();
+        let rows = left.min((found / stride) as u64);
+        if rows == 0 {
+            let end = input.offset() + found as u64;
+            return Err(cut_short(element, count - left, end, count, stride as u64));
+        }
+        let length = rows as usize * stride;
+        input.at_hand()[..length].chunks(BLOCK * stride).for_each(&mut action);
+        input.consume(length);
+        left -= rows;
+    }
+    Ok(())
 }
 
 /// Checks `count` rows of `stride` bytes against what is left of an input of known size.
@@ -126,28 +126,17 @@ pub(super) fn read_column(
     count: u64,
 ) -> Result<Vec<f64>, Problem> {
     let size = scalar.size();
-    expect_rows(input, "point", count, size as u64)?;
-    let mut column = Vec::with_capacity(input.room_for(count, size as u64));
-    let mut left = count;
-    while left > 0 {
-        let found = input.fill(size)?.len();
-        let rows = left.min((found / size) as u64);
-        if rows == 0 {
-            let end = input.offset() + found as u64;
-            return Err(cut_short("point", count - left, end, count, size as u64));
-        }
-        let length = rows as usize * size;
-        let numbers = input.at_hand()[..length].chunks_exact(size);
-        column.extend(numbers.map(|number| scalar.decode(number, order)));
-        input.consume(length);
-        left -= rows;
-    }
+    let mut column = room::with_capacity(input.room_for(count, size as u64));
+    for_each_block(input, "point", count, size, |numbers| {
+        scalar.append(numbers.chunks_exact(size), order, &mut column);
+    })?;
     Ok(column)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cloud::PointCloud;
 
     fn records(stride: u64, offsets: [u64; 3], scalars: [Scalar; 3]) -> Records<'static> {
         Records { element: "point", stride, offsets, scalars, order: ByteOrder::Big }
@@ -167,6 +156,51 @@ mod tests {
         records.read(&mut input, 3, &mut cloud).unwrap();
         assert_eq!(cloud.columns()[0], [0.0, -1.0, -2.0]);
         assert_eq!(cloud.columns()[1..], [&[0.0, 1.0, 2.0]; 2]);
+    }
+
+    /// Rows of the coordinates as doubles, floats or whole numbers, and a byte; some
+    /// coordinates are not finite, in the blocks of both ends and on either side of a bound.
+    fn many_rows(scalars: [Scalar; 3], order: ByteOrder) -> Vec<u8> {
+        let encode = |row: usize, axis: usize| -> Vec<u8> {
+            let value = row as f64 * 0.25 - axis as f64;
+            let is_odd = [1, BLOCK - 1, BLOCK, 4 * BLOCK].contains(&(row + axis));
+            let value = if is_odd { f64::NAN } else { value };
+            let mut bytes = match scalars[axis] {
+                Scalar::F64 => value.to_le_bytes().to_vec(),
+                Scalar::F32 => (value as f32).to_le_bytes().to_vec(),
+                _ => (value as i16).to_le_bytes().to_vec(),
+            };
+            if order == ByteOrder::Big {
+                bytes.reverse();
+            }
+            bytes
+        };
+        let encode_row = |row| [encode(row, 0), encode(row, 1), encode(row, 2), vec![7]].concat();
+        (0..4 * BLOCK + 7).flat_map(encode_row).collect()
+    }
+
+    #[test]
+    fn blocks_of_rows_are_decoded_as_rows_one_by_one_are() {
+        const KINDS: [Scalar; 3] = [Scalar::F64, Scalar::F32, Scalar::I16];
+        for kinds in 0..27 {
+            let scalars = [kinds % 3, kinds / 3 % 3, kinds / 9].map(|kind| KINDS[kind]);
+            let [x, y, z] = scalars.map(Scalar::size);
+            let offsets = [0, x, x + y];
+            let stride = x + y + z + 1;
+            for order in [ByteOrder::Little, ByteOrder::Big] {
+                let bytes = many_rows(scalars, order);
+                let one_by_one = bytes.chunks_exact(stride).map(|row| {
+                    [0, 1, 2].map(|axis| scalars[axis].decode(&row[offsets[axis]..], order))
+                });
+                let expected = PointCloud::from_rows(one_by_one);
+                let offsets = offsets.map(|offset| offset as u64);
+                let records = Records { order, ..records(stride as u64, offsets, scalars) };
+                let mut cloud = PointCloud::new();
+                let count = expected.rows() as u64;
+                records.read(&mut Input::new(&bytes[..], None), count, &mut cloud).unwrap();
+                assert_eq!(cloud, expected, "{records:?}");
+            }
+        }
     }
 
     #[test]

@@ -44,6 +44,7 @@ impl Scalar {
     ///
     /// # Panics
     /// If there are fewer bytes.
+    #[inline(always)]
     pub fn decode(self, bytes: &[u8], order: ByteOrder) -> f64 {
         macro_rules! decode {
             ($type:ty) => {
@@ -64,6 +65,41 @@ impl Scalar {
             Self::U64 => decode!(u64),
             Self::F32 => decode!(f32),
             Self::F64 => decode!(f64),
+        }
+    }
+
+    /// Appends the number that each of the byte strings begins with, as [`decode`](Self::decode)
+    /// gives it, with the type and order looked at once.
+    ///
+    /// # Panics
+    /// If one has too few bytes.
+    pub fn append<'b>(
+        self,
+        strings: impl ExactSizeIterator<Item = &'b [u8]>,
+        order: ByteOrder,
+        column: &mut Vec<f64>,
+    ) {
+        macro_rules! append {
+            ($kind:ident) => {
+                match order {
+                    ByteOrder::Little => column
+                        .extend(strings.map(|bytes| Self::$kind.decode(bytes, ByteOrder::Little))),
+                    ByteOrder::Big => column
+                        .extend(strings.map(|bytes| Self::$kind.decode(bytes, ByteOrder::Big))),
+                }
+            };
+        }
+        match self {
+            Self::I8 => append!(I8),
+            Self::U8 => append!(U8),
+            Self::I16 => append!(I16),
+            Self::U16 => append!(U16),
+            Self::I32 => append!(I32),
+            Self::U32 => append!(U32),
+            Self::I64 => append!(I64),
+            Self::U64 => append!(U64),
+            Self::F32 => append!(F32),
+            Self::F64 => append!(F64),
         }
     }
 }

@@ -1,9 +1,9 @@
 //! Rows of values parted by blanks, one row a line, as PLY and PCD write them in ASCII.
 
-use super::PointCloud;
 use super::error::{Mismatch, Place, Problem, excerpt, not_a_number};
 use super::input::Input;
 use super::number::{parse, parse_count, tokens};
+use super::points::Points;
 
 /// Names of the axes in messages.
 pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
@@ -29,7 +29,7 @@ pub(super) struct TextRows<'n> {
 }
 
 impl TextRows<'_> {
-    /// Reads `count` rows, leaving out empty lines; those of a cloud are appended to it.
+    /// Reads `count` rows, leaving out empty lines; those of points are handed on.
     ///
     /// # Errors
     /// The input cannot be read or ends too early; a row has too few or too many values, or a
@@ -38,7 +38,7 @@ impl TextRows<'_> {
         &self,
         input: &mut Input<'_>,
         count: u64,
-        mut cloud: Option<&mut PointCloud>,
+        mut points: Option<&mut impl Points>,
     ) -> Result<(), Problem> {
         let mut row = 0;
         while row < count && !self.values.is_empty() {
@@ -52,8 +52,8 @@ impl TextRows<'_> {
                 continue;
             }
             let point = self.parse(line).map_err(|mismatch| mismatch.at(place()))?;
-            if let Some(cloud) = cloud.as_deref_mut() {
-                cloud.push(point);
+            if let Some(points) = points.as_deref_mut() {
+                points.push(point);
             }
             row += 1;
         }
@@ -100,6 +100,7 @@ impl TextRows<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cloud::PointCloud;
 
     fn read(values: &[Value], count: u64, text: &str) -> Result<PointCloud, String> {
         let rows = TextRows { element: "vertex", values: values.to_vec() };

@@ -100,6 +100,12 @@ mod tests {
         assert!(InstructionSet::chosen(None).unwrap().is_available());
     }
 
+    #[cfg(miri)]
+    #[test]
+    fn miri_is_told_of_every_set() {
+        assert!(InstructionSet::ALL.into_iter().all(InstructionSet::is_available));
+    }
+
     #[test]
     fn a_name_that_means_nothing_is_an_error() {
         let error = InstructionSet::chosen(Some("AVX9")).unwrap_err().to_string();

@@ -31,11 +31,11 @@ pub(super) fn read(
     return_skipped: bool,
 ) -> PyResult<Bound<'_, PyAny>> {
     let (points, skipped) = py.detach(|| {
-        let cloud = cloud::read(&path)?;
-        let skipped = cloud.skipped_rows().iter().map(|&row| row as i64).collect();
-        Ok::<_, PyErr>((cloud.points().collect(), skipped))
+        let rows = cloud::read_rows(&path)?;
+        let skipped = rows.skipped_rows.iter().map(|&row| row as i64).collect();
+        Ok::<_, PyErr>((rows.points, skipped))
     })?;
-    let points = table::<f64>(py, points)?;
+    let points = table(py, points)?;
     if !return_skipped {
         return Ok(points.into_any());
     }

@@ -2,9 +2,9 @@
 
 mod header;
 
-use super::PointCloud;
 use super::error::{Place, Problem, excerpt};
 use super::input::Input;
+use super::points::Points;
 use super::records::{Records, read_column};
 use super::scalar::first;
 
@@ -16,7 +16,7 @@ const HEADER_LIMIT: u32 = 1 << 16;
 /// # Errors
 /// The input cannot be read, the header is malformed or tells of another kind of array, or the
 /// data are not as long as it tells.
-pub(super) fn read(input: &mut Input<'_>) -> Result<PointCloud, Problem> {
+pub(super) fn read<P: Points>(input: &mut Input<'_>) -> Result<P, Problem> {
     let header_length = read_preamble(input)?;
     let place = Place::Byte(input.offset());
     let text = input.fill(header_length)?;
@@ -30,9 +30,9 @@ pub(super) fn read(input: &mut Input<'_>) -> Result<PointCloud, Problem> {
         return Err(Problem::NoPoints("the array has 0 rows"));
     }
     let size = header.scalar.size() as u64;
-    let cloud = if header.is_fortran_order {
+    let points = if header.is_fortran_order {
         let mut column = || read_column(input, header.scalar, header.order, header.rows);
-        PointCloud::from_columns([column()?, column()?, column()?])
+        P::from_columns([column()?, column()?, column()?])
     } else {
         let records = Records {
             element: "point",
@@ -41,12 +41,12 @@ pub(super) fn read(input: &mut Input<'_>) -> Result<PointCloud, Problem> {
             scalars: [header.scalar; 3],
             order: header.order,
         };
-        let mut cloud = PointCloud::with_capacity(input.room_for(header.rows, 3 * size));
-        records.read(input, header.rows, &mut cloud)?;
-        cloud
+        let mut points = P::with_capacity(input.room_for(header.rows, 3 * size));
+        records.read(input, header.rows, &mut points)?;
+        points
     };
     input.expect_padding()?;
-    Ok(cloud)
+    Ok(points)
 }
 
 /// Reads the magic, the version and the length of the header that follows, which it gives.
@@ -74,6 +74,7 @@ fn read_preamble(input: &mut Input<'_>) -> Result<usize, Problem> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cloud::PointCloud;
 
     fn array(version: u8, header: &str, data: &[u8]) -> Vec<u8> {
         let length = header.len() as u32;

@@ -1,9 +1,9 @@
 //! PCD data in one block compressed with LZF, all numbers of a field together.
 
 use super::header::{Field, Header};
-use crate::cloud::PointCloud;
 use crate::cloud::error::{Place, Problem};
 use crate::cloud::input::Input;
+use crate::cloud::points::Points;
 use crate::cloud::records::expect_rows;
 use crate::cloud::scalar::{ByteOrder, first};
 
@@ -18,11 +18,11 @@ const MOST_BYTES: u64 = i32::MAX as u64;
 /// # Errors
 /// The input cannot be read or ends too early, the sizes contradict the header or each other, or
 /// the bytes are not LZF.
-pub(super) fn read(
+pub(super) fn read<P: Points>(
     input: &mut Input<'_>,
     header: &Header,
     stride: u64,
-) -> Result<PointCloud, Problem> {
+) -> Result<P, Problem> {
     let place = Place::Byte(input.offset());
     let sizes = input.fill(8)?;
     if sizes.len() < 8 {
@@ -80,19 +80,18 @@ fn read_block(input: &mut Input<'_>, size: u64) -> Result<Vec<u8>, Problem> {
 }
 
 /// The coordinates in a block that holds all the numbers that the header declares.
-fn decode(block: &[u8], header: &Header) -> PointCloud {
+fn decode<P: Points>(block: &[u8], header: &Header) -> P {
     let mut columns = [const { Vec::new() }; 3];
     let mut rest = block;
     for field in &header.fields {
         let (column, after) = rest.split_at(length(field, header));
         if let Some(axis) = field.axis {
             let numbers = column.chunks_exact(field.scalar.size());
-            let decode = |number| field.scalar.decode(number, ByteOrder::Little);
-            columns[axis] = numbers.map(decode).collect();
+            field.scalar.append(numbers, ByteOrder::Little, &mut columns[axis]);
         }
         rest = after;
     }
-    PointCloud::from_columns(columns)
+    P::from_columns(columns)
 }
 
 /// The bytes of a field in a block, which is shorter than 2^31 bytes.

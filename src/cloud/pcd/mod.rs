@@ -6,9 +6,9 @@ mod header;
 mod tests;
 
 use self::header::{Encoding, Field, Header};
-use super::PointCloud;
 use super::error::{Place, Problem};
 use super::input::{CAPACITY, Input};
+use super::points::Points;
 use super::records::Records;
 use super::scalar::{ByteOrder, Scalar};
 use super::text_rows::{TextRows, Value};
@@ -18,7 +18,7 @@ use super::text_rows::{TextRows, Value};
 /// # Errors
 /// The input cannot be read, the header is malformed or has no fields x, y and z, or the data are
 /// not what it declares: too short, too long or not numbers.
-pub(super) fn read(input: &mut Input<'_>) -> Result<PointCloud, Problem> {
+pub(super) fn read<P: Points>(input: &mut Input<'_>) -> Result<P, Problem> {
     let header = header::read(input)?;
     if header.points == 0 {
         return Err(Problem::NoPoints("the header declares 0 points"));
@@ -31,7 +31,7 @@ pub(super) fn read(input: &mut Input<'_>) -> Result<PointCloud, Problem> {
             format!("points of {stride} bytes"),
         ));
     }
-    let cloud = match header.encoding {
+    let points = match header.encoding {
         Encoding::Ascii => read_text(input, &header)?,
         Encoding::Binary => {
             input.end_of_lines(header.points.checked_mul(stride))?;
@@ -43,23 +43,27 @@ pub(super) fn read(input: &mut Input<'_>) -> Result<PointCloud, Problem> {
         }
     };
     input.expect_padding()?;
-    Ok(cloud)
+    Ok(points)
 }
 
-fn read_text(input: &mut Input<'_>, header: &Header) -> Result<PointCloud, Problem> {
+fn read_text<P: Points>(input: &mut Input<'_>, header: &Header) -> Result<P, Problem> {
     let values = |field: &Field| {
         let value = field.axis.map_or(Value::Other, Value::Coordinate);
         std::iter::repeat_n(value, field.count as usize)
     };
     let values: Vec<_> = header.fields.iter().flat_map(values).collect();
     let row_bytes = 2 * values.len() as u64;
-    let mut cloud = PointCloud::with_capacity(input.room_for(header.points, row_bytes));
+    let mut points = P::with_capacity(input.room_for(header.points, row_bytes));
     let rows = TextRows { element: "point", values };
-    rows.read(input, header.points, Some(&mut cloud))?;
-    Ok(cloud)
+    rows.read(input, header.points, Some(&mut points))?;
+    Ok(points)
 }
 
-fn read_binary(input: &mut Input<'_>, header: &Header, stride: u64) -> Result<PointCloud, Problem> {
+fn read_binary<P: Points>(
+    input: &mut Input<'_>,
+    header: &Header,
+    stride: u64,
+) -> Result<P, Problem> {
     let mut offsets = [0; 3];
     let mut scalars = [Scalar::F32; 3];
     let mut offset = 0;
@@ -72,7 +76,7 @@ fn read_binary(input: &mut Input<'_>, header: &Header, stride: u64) -> Result<Po
     }
     let order = ByteOrder::Little;
     let records = Records { element: "point", stride, offsets, scalars, order };
-    let mut cloud = PointCloud::with_capacity(input.room_for(header.points, stride));
-    records.read(input, header.points, &mut cloud)?;
-    Ok(cloud)
+    let mut points = P::with_capacity(input.room_for(header.points, stride));
+    records.read(input, header.points, &mut points)?;
+    Ok(points)
 }

@@ -1,4 +1,5 @@
 use super::*;
+use crate::cloud::PointCloud;
 
 fn read_bytes(bytes: &[u8]) -> Result<PointCloud, String> {
     let clouds = [Some(bytes.len() as u64), None]

@@ -1,13 +1,13 @@
 //! The data of a binary PLY file.
 
 use super::layout::{Element, Property};
-use crate::cloud::PointCloud;
 use crate::cloud::error::{Place, Problem};
 use crate::cloud::input::Input;
+use crate::cloud::points::Points;
 use crate::cloud::records::{Records, cut_short, expect_rows};
 use crate::cloud::scalar::{ByteOrder, Scalar};
 
-/// Reads the rows of an element; those of the vertices are appended to the cloud.
+/// Reads the rows of an element; those of the vertices are handed on.
 ///
 /// # Errors
 /// The input cannot be read or ends too early, or a list has a negative length.
@@ -15,14 +15,14 @@ pub(super) fn read(
     input: &mut Input<'_>,
     element: &Element,
     order: ByteOrder,
-    cloud: &mut PointCloud,
+    points: &mut impl Points,
 ) -> Result<(), Problem> {
     match element.stride() {
         Some(stride) if element.is_vertex => {
-            records(element, stride, order).read(input, element.count, cloud)
+            records(element, stride, order).read(input, element.count, points)
         }
         Some(stride) => skip(input, element, stride),
-        None => (Walk { input, element, order }).read(cloud),
+        None => (Walk { input, element, order }).read(points),
     }
 }
 
@@ -63,13 +63,13 @@ struct Walk<'w, 'r> {
 }
 
 impl Walk<'_, '_> {
-    fn read(&mut self, cloud: &mut PointCloud) -> Result<(), Problem> {
+    fn read(&mut self, points: &mut impl Points) -> Result<(), Problem> {
         let Element { name, count, .. } = self.element;
         expect_rows(self.input, name, *count, self.element.least_stride())?;
         for row in 0..*count {
             let point = self.read_row(row)?;
             if self.element.is_vertex {
-                cloud.push(point);
+                points.push(point);
             }
         }
         Ok(())

@@ -1,4 +1,5 @@
 use super::*;
+use crate::cloud::PointCloud;
 
 const XYZ: &str = "property float x\nproperty float y\nproperty float z\n";
 

@@ -3,10 +3,10 @@
 mod separator;
 
 use self::separator::Separator;
-use super::PointCloud;
 use super::error::{Mismatch, Place, Problem, excerpt, not_a_number};
 use super::input::Input;
 use super::number::{parse, parse_count};
+use super::points::Points;
 use super::text_rows::AXES;
 
 /// Reads the coordinates of each row: the columns that a first line names x, y and z, or else the
@@ -18,8 +18,8 @@ use super::text_rows::AXES;
 /// # Errors
 /// The input cannot be read, a row has too few columns or a coordinate that is not a number, there
 /// are no rows or not as many as the first line says.
-pub(super) fn read(input: &mut Input<'_>) -> Result<PointCloud, Problem> {
-    let mut cloud = PointCloud::new();
+pub(super) fn read<P: Points>(input: &mut Input<'_>) -> Result<P, Problem> {
+    let mut points = P::with_capacity(0);
     let mut declared = None;
     let mut columns = None;
     let mut separator = None;
@@ -29,7 +29,7 @@ pub(super) fn read(input: &mut Input<'_>) -> Result<PointCloud, Problem> {
         if is_comment(line) {
             continue;
         }
-        let row = cloud.rows() as u64;
+        let row = points.rows() as u64;
         let is_first = row == 0 && columns.is_none();
         if is_first && declared.is_none() && parse_count(line.trim_ascii()).is_some() {
             declared = parse_count(line.trim_ascii()).map(|count| (count, number));
@@ -44,9 +44,9 @@ pub(super) fn read(input: &mut Input<'_>) -> Result<PointCloud, Problem> {
         let point = parse_row(line, separator, columns).map_err(|mismatch| {
             mismatch.at(Place::TextRow { element: "point".into(), row, line: number })
         })?;
-        cloud.push(point);
+        points.push(point);
     }
-    let rows = cloud.rows() as u64;
+    let rows = points.rows() as u64;
     match declared {
         Some((count, line)) if count != rows => Err(Problem::malformed(
             Place::Line(line),
@@ -54,7 +54,7 @@ pub(super) fn read(input: &mut Input<'_>) -> Result<PointCloud, Problem> {
             format!("`{count}`"),
         )),
         _ if rows == 0 => Err(Problem::NoPoints("there are no rows of numbers")),
-        _ => Ok(cloud),
+        _ => Ok(points),
     }
 }
 
@@ -115,6 +115,7 @@ fn parse_row(line: &[u8], separator: Separator, columns: [usize; 3]) -> Result<[
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cloud::PointCloud;
 
     fn cloud(text: &str) -> Result<PointCloud, String> {
         read(&mut Input::new(text.as_bytes(), None)).map_err(|problem| problem.to_string())

@@ -20,6 +20,10 @@ fn columns(points: &[[f64; 3]]) -> [Vec<f64>; 3] {
     std::array::from_fn(|k| points.iter().map(|p| p[k]).collect())
 }
 
+/// How many points are summed: fewer than fill a block, a block, and more; few for Miri, which
+/// interprets.
+const COUNTS: &[usize] = if cfg!(miri) { &[3] } else { &[1, 127, 128, 129, 1000] };
+
 const RESIDUALS: [Residual; 2] = [Residual::Radial, Residual::Geometric];
 
 fn view_of(shape: Superellipsoid, pose: Pose, residual: Residual) -> ModelView {
@@ -139,8 +143,8 @@ fn every_path_sums_the_scalar_rows() {
     let pose = Pose::from_euler_zyz([0.3, 0.8, -1.0], Vector3::new(0.1, 0.0, -0.2));
     for residual in RESIDUALS {
         let view = view_of(shape, pose, residual);
-        for count in [1, 127, 128, 129, points.len()] {
-            assert_sums_agree(&view, &points[..count]);
+        for count in COUNTS {
+            assert_sums_agree(&view, &points[..*count]);
         }
     }
 }
