@@ -18,8 +18,8 @@ use crate::shape::Superellipsoid;
 /// `2/e <= 40` among them; and the Gram matrix sums their products.
 const TOLERANCE: f64 = 4e-14;
 
-/// The same of rows in single precision.
-const SINGLE_TOLERANCE: f64 = 2e-6;
+/// The same of rows in single precision: roundings of 6e-8, multiplied by up to 40.
+const SINGLE_TOLERANCE: f64 = 1e-5;
 
 /// Exponents above which the geometric distance has a crease at symmetry planes: its derivatives fall
 /// as `|x_i|^(2/e - 1)` next to them, which on the plane itself depends on what is told from zero.
