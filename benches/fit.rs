@@ -12,7 +12,7 @@ use std::time::Duration;
 use common::{Scene, one_sided_view_from, point_cloud, with_strays};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use superquadric::cloud::PointCloud;
-use superquadric::recover::{Distance, FitOptions, Sight, fit};
+use superquadric::recover::{Distance, FitOptions, Precision, Sight, fit};
 
 /// Shapes that one measurement fits, since the search takes longer for some than for others.
 const SHAPES: u64 = 8;
@@ -30,12 +30,15 @@ fn complete_clouds(criterion: &mut Criterion) {
             .collect();
         group.throughput(Throughput::Elements(SHAPES * points as u64));
         for distance in [Distance::Radial, Distance::Geometric] {
-            let options =
-                FitOptions { distance, threads: NonZeroUsize::new(1), ..FitOptions::default() };
-            let id = BenchmarkId::new(distance.name(), points);
-            group.bench_with_input(id, &clouds, |bencher, clouds| {
-                bencher.iter(|| clouds.iter().map(|c| fit(c, &options)).collect::<Vec<_>>());
-            });
+            for precision in [Precision::Double, Precision::Single] {
+                let threads = NonZeroUsize::new(1);
+                let options = FitOptions { distance, precision, threads, ..FitOptions::default() };
+                let name = format!("{}, {}", distance.name(), precision.name());
+                let id = BenchmarkId::new(name, points);
+                group.bench_with_input(id, &clouds, |bencher, clouds| {
+                    bencher.iter(|| clouds.iter().map(|c| fit(c, &options)).collect::<Vec<_>>());
+                });
+            }
         }
     }
     group.finish();

@@ -15,7 +15,7 @@ use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterio
 use superquadric::cloud::{PointCloud, read};
 use superquadric::model::Model;
 use superquadric::recover::stages::{Normalized, normalize};
-use superquadric::recover::{Distance, PARAMETERS, Row, geometric_row, radial_row};
+use superquadric::recover::{Distance, PARAMETERS, Precision, Row, geometric_row, radial_row};
 
 const SIZES: [usize; 3] = [1_000, 10_000, 100_000];
 
@@ -97,12 +97,15 @@ fn pass(criterion: &mut Criterion) {
             bencher.iter(|| scalar_pass(&cloud, &model, row));
         });
     }
-    let normalized = Normalized::of(&cloud);
-    for distance in [Distance::Radial, Distance::Geometric] {
-        group.bench_function(distance.name(), |bencher| {
-            bencher.iter(|| normalized.pass(&model, distance));
-        });
+    for precision in [Precision::Double, Precision::Single] {
+        let normalized = Normalized::of(&cloud).with_precision(precision);
+        for distance in [Distance::Radial, Distance::Geometric] {
+            let name = format!("{}, {}", distance.name(), precision.name());
+            group
+                .bench_function(name, |bencher| bencher.iter(|| normalized.pass(&model, distance)));
+        }
     }
+    let normalized = Normalized::of(&cloud);
     group.bench_function("distances alone", |bencher| {
         bencher.iter(|| normalized.distances(&model));
     });

@@ -531,6 +531,7 @@ def _evaluate_suite(
     *,
     seed: int,
     distance: str,
+    precision: str,
     threads: int | None = None,
     on_scene: Callable[[int, int], object] | None = None,
 ) -> None: ...
@@ -555,6 +556,7 @@ def fit(
     *,
     seed: int = 0,
     distance: Literal["radial", "geometric"] = "geometric",
+    precision: Literal["double", "single"] = "double",
     threads: int | None = None,
     viewpoint: ArrayLike | None = None,
     free_rays: ArrayLike | None = None,

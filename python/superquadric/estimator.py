@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 _OPTIONS = (
     "seed",
     "distance",
+    "precision",
     "threads",
     "viewpoint",
     "free_rays",
@@ -34,6 +35,7 @@ class SuperquadricEstimator:
     Args:
         seed: chooses the points that the first, coarse fits look at.
         distance: `radial` or `geometric`, that whose squares are minimised.
+        precision: `double` or `single`, that of the rows of the points.
         threads: how many to use; by default as many as the machine offers.
         viewpoint: where the sensor stood, of shape (3,).
         free_rays: rays beside the object that came through, of shape (n, 4).
@@ -62,6 +64,7 @@ class SuperquadricEstimator:
         *,
         seed: int = 0,
         distance: Literal["radial", "geometric"] = "geometric",
+        precision: Literal["double", "single"] = "double",
         threads: int | None = None,
         viewpoint: ArrayLike | None = None,
         free_rays: ArrayLike | None = None,
@@ -75,6 +78,7 @@ class SuperquadricEstimator:
         """Store the options as they are; `fit` checks them."""
         self.seed = seed
         self.distance = distance
+        self.precision = precision
         self.threads = threads
         self.viewpoint = viewpoint
         self.free_rays = free_rays

@@ -81,12 +81,13 @@ impl Results {
 /// What the results depend on.
 fn label(suite: &Suite, options: &FitOptions) -> String {
     format!(
-        "suite {} of {} scenes, superquadric {}, seed {}, distance {:?}",
+        "suite {} of {} scenes, superquadric {}, seed {}, distance {:?}, {} precision",
         suite.name,
         suite.scenes.len(),
         env!("CARGO_PKG_VERSION"),
         options.seed,
         options.distance,
+        options.precision.name(),
     )
 }
 

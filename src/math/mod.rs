@@ -9,6 +9,7 @@ mod gauss_kronrod;
 mod half_space;
 mod instruction_set;
 mod interval;
+pub(crate) mod lane;
 mod maximum;
 mod quadrature;
 mod root;

@@ -8,7 +8,7 @@ use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use super::fit::distance_named;
+use super::fit::{distance_named, precision_named};
 use super::interrupt::interruptible;
 use crate::batch::evaluate_unless;
 use crate::recover::FitOptions;
@@ -21,19 +21,28 @@ use crate::recover::FitOptions;
 /// Raises:
 ///     BatchError: if the suite or the results are not what they should be.
 ///     OSError: if a file cannot be read or written.
-///     ValueError: if there is no such distance.
+///     ValueError: if there is no such distance or precision.
 #[pyfunction(name = "_evaluate_suite")]
-#[pyo3(signature = (suite, results, *, seed, distance, threads = None, on_scene = None))]
+#[pyo3(signature = (
+    suite, results, *, seed, distance, precision, threads = None, on_scene = None
+))]
+#[expect(clippy::too_many_arguments, reason = "keyword arguments of a Python function")]
 pub(super) fn evaluate_suite(
     py: Python<'_>,
     suite: PathBuf,
     results: PathBuf,
     seed: u64,
     distance: &str,
+    precision: &str,
     threads: Option<NonZeroUsize>,
     on_scene: Option<Py<PyAny>>,
 ) -> PyResult<()> {
-    let options = FitOptions { seed, distance: distance_named(distance)?, ..FitOptions::default() };
+    let options = FitOptions {
+        seed,
+        distance: distance_named(distance)?,
+        precision: precision_named(precision)?,
+        ..FitOptions::default()
+    };
     let pool = pool_of(threads)?;
     let raised = OnceLock::new();
     let tell = |done: usize, total: usize| {

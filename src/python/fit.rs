@@ -15,7 +15,7 @@ use super::knowledge::{constraints, plane, sight};
 use super::model::PyModel;
 use crate::model::Model;
 use crate::output::write_whole;
-use crate::recover::{Distance, Fit, FitOptions, fit_unless};
+use crate::recover::{Distance, Fit, FitOptions, Precision, fit_unless};
 use crate::report::FitDocument;
 
 /// Recover a superellipsoid from points of its surface.
@@ -29,6 +29,8 @@ use crate::report::FitDocument;
 ///     seed: chooses the points that the first, coarse fits look at.
 ///     distance: `radial` for that along the ray from the centre (JLS Eq. 2.43), `geometric` to
 ///         go on from its best minima with the first-order geometric distance.
+///     precision: `double` or `single`, that of the rows of the points; single is faster, and rounds
+///         residuals by 1e-7 of the cloud's radius.
 ///     threads: how many to use; by default as many as the machine offers. The result does not
 ///         depend on it.
 ///     viewpoint: where the sensor stood, of shape (3,), in the points' frame.
@@ -51,20 +53,21 @@ use crate::report::FitDocument;
 /// Raises:
 ///     ArrayError: if the shape is not (n, 3).
 ///     TypeError: if the points are not real numbers.
-///     ValueError: if there is no such distance, shape, tie or parameter, or no such plane.
+///     ValueError: if there is no such distance, precision, shape, tie or parameter, or no such plane.
 ///     FitError: if the points are fewer than the parameters, coincide, lie on one line, or have
 ///         coordinates that cannot be squared; if what is known of the parameters cannot hold.
 #[pyfunction]
 #[pyo3(signature = (
-    points, *, seed = 0, distance = "geometric", threads = None, viewpoint = None,
-    free_rays = None, support = None, shape = "any", fix = None, size_range = None,
-    exponent_range = None, tie = None
+    points, *, seed = 0, distance = "geometric", precision = "double", threads = None,
+    viewpoint = None, free_rays = None, support = None, shape = "any", fix = None,
+    size_range = None, exponent_range = None, tie = None
 ))]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of a Python function")]
 pub(super) fn fit(
     points: &Bound<'_, PyAny>,
     seed: u64,
     distance: &str,
+    precision: &str,
     threads: Option<NonZeroUsize>,
     viewpoint: Option<&Bound<'_, PyAny>>,
     free_rays: Option<&Bound<'_, PyAny>>,
@@ -79,6 +82,7 @@ pub(super) fn fit(
     let options = FitOptions {
         seed,
         distance: distance_named(distance)?,
+        precision: precision_named(precision)?,
         threads,
         sight: sight(viewpoint, free_rays)?,
         support: support.map(plane).transpose()?,
@@ -101,6 +105,21 @@ pub(super) fn distance_named(name: &str) -> PyResult<Distance> {
         "geometric" => Ok(Distance::Geometric),
         _ => {
             let message = format!("distance must be 'radial' or 'geometric', found '{name}'");
+            Err(PyValueError::new_err(message))
+        }
+    }
+}
+
+/// The precision of a name.
+///
+/// # Errors
+/// `ValueError` if there is none.
+pub(super) fn precision_named(name: &str) -> PyResult<Precision> {
+    match name {
+        "double" => Ok(Precision::Double),
+        "single" => Ok(Precision::Single),
+        _ => {
+            let message = format!("precision must be 'double' or 'single', found '{name}'");
             Err(PyValueError::new_err(message))
         }
     }

@@ -42,6 +42,8 @@ pub(crate) struct CompressedProblem<R> {
     rows: R,
     /// Share of the cost that a step must promise to be worth a pass.
     tolerance: f64,
+    /// Rounding of each residual.
+    rounding: f64,
     current: Evaluation,
     /// The evaluation of least cost so far.
     best: Evaluation,
@@ -60,11 +62,24 @@ impl<R: Fn(&Model) -> Option<Gram>> CompressedProblem<R> {
     ) -> Self {
         let (chart, coordinates) = Chart::around(start, constraints);
         let start = Evaluation { coordinates, model_and_gram: None };
-        let mut problem =
-            Self { chart, rows, tolerance, current: start.clone(), best: start, passes: 0 };
+        let mut problem = Self {
+            chart,
+            rows,
+            tolerance,
+            rounding: 0.0,
+            current: start.clone(),
+            best: start,
+            passes: 0,
+        };
         problem.current = problem.evaluate(&coordinates);
         problem.best = problem.current.clone();
         problem
+    }
+
+    /// The same, each residual being rounded by so much: no step is worth a pass that promises less
+    /// than what that does to the cost, `2 rounding / |r|` of it.
+    pub fn with_rounding(self, rounding: f64) -> Self {
+        Self { rounding, ..self }
     }
 
     /// The evaluation of least cost.
@@ -116,7 +131,8 @@ impl<R: Fn(&Model) -> Option<Gram>> LeastSquaresProblem<f64, Const<COLUMNS>, Con
         let local =
             self.chart.local_from_coordinates(&self.current.coordinates, model.pose.rotation());
         let factor = factor(&pulled_back(gram, &local));
-        let is_worthwhile = promised_share(&factor) > self.tolerance;
+        let rounding_share = 2.0 * self.rounding / factor[(0, 0)];
+        let is_worthwhile = promised_share(&factor) > self.tolerance.max(rounding_share);
         is_worthwhile.then(|| factor.fixed_columns::<PARAMETERS>(1).into_owned())
     }
 }

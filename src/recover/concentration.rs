@@ -53,6 +53,7 @@ mod tests {
     use crate::recover::evidence::Evidence;
     use crate::recover::kernel::Residual;
     use crate::recover::normalization::Normalization;
+    use crate::recover::options::Precision;
     use crate::shape::Superellipsoid;
 
     /// A ball before a wall, on which one point in six is: the fit to all of them is drawn to it.
@@ -77,6 +78,7 @@ mod tests {
             constraints: &Constraints::sphere().normalized(&normalization),
             parallel: false,
             residual: Residual::Geometric,
+            precision: Precision::Double,
             is_interrupted: &|| false,
         };
         let ball = Superellipsoid::new([1.0; 3], [1.0; 2]).unwrap();

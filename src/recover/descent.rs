@@ -7,6 +7,7 @@ use super::constraints::{Bounds, NormalizedConstraints};
 use super::evidence::Evidence;
 use super::kernel::{Gram, ModelView, Residual, geometric_distances, gram};
 use super::normalization::Normalization;
+use super::options::Precision;
 use super::result::Termination;
 use crate::cloud::PointColumns;
 use crate::model::Model;
@@ -26,6 +27,8 @@ pub(crate) struct PointSet<'a> {
     pub parallel: bool,
     /// What is minimised.
     pub residual: Residual,
+    /// The numbers in which rows are evaluated.
+    pub precision: Precision,
     /// Whether to give up; asked before every pass.
     pub is_interrupted: Interrupt<'a>,
 }
@@ -45,7 +48,8 @@ impl PointSet<'_> {
         if (self.is_interrupted)() {
             return None;
         }
-        let view = ModelView::new(self.normalization, model, self.residual);
+        let view =
+            ModelView::new(self.normalization, model, self.residual).with_precision(self.precision);
         let mut gram = gram(&view, self.points, self.root_weights, self.parallel);
         self.evidence.add_to(&mut gram, model, self.weight());
         Some(gram)
@@ -138,7 +142,8 @@ fn is_drawn_inside(descent: &Descent, constraints: &NormalizedConstraints) -> bo
 
 fn run(points: &PointSet, start: &Model, effort: &Effort) -> Option<Descent> {
     let rows = |model: &Model| points.gram(model);
-    let problem = CompressedProblem::around(start, points.constraints, effort.tolerance, rows);
+    let problem = CompressedProblem::around(start, points.constraints, effort.tolerance, rows)
+        .with_rounding(points.precision.rounding());
     let (problem, report) = LevenbergMarquardt::new()
         .with_ftol(effort.tolerance)
         .with_xtol(effort.tolerance)

@@ -108,6 +108,7 @@ mod tests {
     use crate::recover::evidence::Evidence;
     use crate::recover::kernel::Residual;
     use crate::recover::normalization::{Moments, Normalization};
+    use crate::recover::options::Precision;
     use crate::shape::Superellipsoid;
 
     const DEVIATION: f64 = 0.01;
@@ -136,6 +137,7 @@ mod tests {
             constraints: &NormalizedConstraints::NONE,
             parallel: false,
             residual: Residual::Geometric,
+            precision: Precision::Double,
             is_interrupted: &|| false,
         };
         let count = points.len();

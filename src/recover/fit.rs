@@ -81,6 +81,7 @@ fn fit_in_pool(
         constraints: &options.constraints.normalized(&moments.normalization),
         parallel,
         residual: residual(options.distance),
+        precision: options.precision,
         is_interrupted,
     };
     // The radial fit is left as it is in the literature: all points, and nothing else.

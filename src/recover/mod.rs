@@ -43,7 +43,7 @@ pub use covariance::Covariance;
 pub use error::FitError;
 pub use fit::{fit, fit_unless};
 pub use geometric::geometric_row;
-pub use options::{Distance, FitOptions};
+pub use options::{Distance, FitOptions, Precision};
 pub use plane::Plane;
 pub use radial::{PARAMETERS, Row, radial_row};
 pub use result::{Doubt, Fit, Termination};

@@ -18,6 +18,18 @@ pub enum Distance {
     Geometric,
 }
 
+/// The numbers in which the rows that are minimised, the residuals of points and their derivatives,
+/// are evaluated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Precision {
+    /// `f32`: twice as many at a time. Points are brought to the model's frame in `f64`, and sums
+    /// are taken in it; residuals are rounded by 1e-7 of the cloud's radius.
+    Single,
+    /// `f64`.
+    #[default]
+    Double,
+}
+
 /// Options of [`fit`](super::fit).
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct FitOptions {
@@ -25,6 +37,8 @@ pub struct FitOptions {
     pub seed: u64,
     /// The distance that is minimised.
     pub distance: Distance,
+    /// The numbers in which the rows of the points are evaluated.
+    pub precision: Precision,
     /// Threads to use; by default as many as the machine offers. The result's bytes do not
     /// depend on it.
     pub threads: Option<NonZeroUsize>,
@@ -43,6 +57,24 @@ impl Distance {
         match self {
             Self::Radial => "radial",
             Self::Geometric => "geometric",
+        }
+    }
+}
+
+impl Precision {
+    /// A name for machines: `single` or `double`.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Single => "single",
+            Self::Double => "double",
+        }
+    }
+
+    /// Rounding of a residual, in normalised units: that of `f64` is below what any fit looks at.
+    pub(super) fn rounding(self) -> f64 {
+        match self {
+            Self::Single => 0.5 * f64::from(f32::EPSILON),
+            Self::Double => 0.0,
         }
     }
 }

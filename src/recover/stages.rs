@@ -5,7 +5,7 @@ use super::descent::{Effort, PointSet, descend};
 use super::evidence::Evidence;
 use super::fit::residual;
 use super::normalization::Moments;
-use super::options::{Distance, FitOptions};
+use super::options::{Distance, FitOptions, Precision};
 use super::search::Search;
 use super::subset::Subset;
 use super::survey::Survey;
@@ -22,12 +22,18 @@ pub fn normalize(cloud: &PointCloud) -> f64 {
 pub struct Normalized<'a> {
     cloud: &'a PointCloud,
     moments: Moments,
+    precision: Precision,
 }
 
 impl<'a> Normalized<'a> {
     /// Of at least one point.
     pub fn of(cloud: &'a PointCloud) -> Self {
-        Self { cloud, moments: Moments::of(cloud.columns()) }
+        Self { cloud, moments: Moments::of(cloud.columns()), precision: Precision::Double }
+    }
+
+    /// The same, passes being made in the given precision.
+    pub fn with_precision(self, precision: Precision) -> Self {
+        Self { precision, ..self }
     }
 
     /// Neighbours, clutter and area of a sample: the area that is seen.
@@ -84,6 +90,7 @@ impl<'a> Normalized<'a> {
             constraints: &Constraints::NONE.normalized(&self.moments.normalization),
             parallel: false,
             residual: residual(distance),
+            precision: self.precision,
             is_interrupted: &|| false,
         })
     }

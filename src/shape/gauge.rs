@@ -5,12 +5,14 @@
 //! them at most one. With `p(u, v; e) = max (1 + (min/max)^(2/e))^(e/2)`,
 //! `H(x) = p(p(|x|/a1, |y|/a2; e2), |z|/a3; e1)`.
 
+use crate::math::lane::Lane;
+
 /// Smallest `|x_i| / a_i` that is told from zero: its square is still far from underflow.
-pub(crate) const TINY: f64 = 1e-100;
+pub(crate) const TINY: f64 = f64::TINY;
 
 /// Lowest logarithm of a ratio's power that is kept: `exp` of it is normal, and vanishes
 /// beside one.
-pub(crate) const LOG_FLOOR: f64 = -690.0;
+pub(crate) const LOG_FLOOR: f64 = f64::LOG_FLOOR;
 
 /// The gauge at a point, and what its derivatives are made of.
 #[derive(Debug, Clone, Copy)]

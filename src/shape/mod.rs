@@ -30,7 +30,7 @@ pub use clipped_curve::{ClippedCurve, PlaneCurve};
 pub use curvature::{Curvatures, FundamentalForms};
 pub use curve::{Curve, CurvePoint};
 pub use family::Shape;
-pub(crate) use gauge::{GaugeTerms, LOG_FLOOR, TINY};
+pub(crate) use gauge::{GaugeTerms, LOG_FLOOR};
 pub use lame::{LameArc, LameCurve};
 pub use level_set::LevelSet;
 pub use mass::MassProperties;

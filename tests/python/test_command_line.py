@@ -42,6 +42,14 @@ def test_distances_have_the_same_names(binary, tmp_path, points, distance):
     assert without_time(found) == without_time(expected)
 
 
+@pytest.mark.parametrize("precision", ["double", "single"])
+def test_precisions_have_the_same_names(binary, tmp_path, points, precision):
+    np.save(tmp_path / "cloud.npy", points)
+    found = run(binary, tmp_path / "cloud.npy", "--precision", precision)
+    expected = superquadric.fit(points, precision=precision).to_dict()
+    assert without_time(found) == without_time(expected)
+
+
 def test_a_cloud_from_stdin_is_the_same(binary, model):
     cloud = model.sample(300)
     text = "\n".join(" ".join(map(repr, row)) for row in cloud.tolist())

@@ -39,6 +39,7 @@ def _run(options: argparse.Namespace) -> None:
         options.output,
         seed=options.seed,
         distance=options.distance,
+        precision=options.precision,
         threads=options.threads,
         progress=Progress("scenes", sys.stderr),
     )
@@ -66,6 +67,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--report", type=Path, metavar="FILE", help="HTML file to write")
     parser.add_argument("--parquet", type=Path, metavar="FILE", help="table to write")
     parser.add_argument("--distance", choices=["radial", "geometric"], default="geometric")
+    parser.add_argument("--precision", choices=["double", "single"], default="double")
     parser.add_argument("--seed", type=_seed, default=0, metavar="N")
     parser.add_argument(
         "--threads", type=_threads, metavar="N", help="scenes at a time (default: all cores)"

@@ -25,6 +25,7 @@ def evaluate(
     *,
     seed: int = 0,
     distance: Literal["radial", "geometric"] = "geometric",
+    precision: Literal["double", "single"] = "double",
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> Evaluation:
@@ -39,6 +40,7 @@ def evaluate(
             new one, or one with results of the same suite and options.
         seed: chooses the points that the first, coarse fits look at.
         distance: `radial` or `geometric`, that whose squares are minimised.
+        precision: `double` or `single`, that of the rows of the points.
         threads: scenes fitted at a time; by default as many as the machine offers.
         progress: is told how many scenes are done, of how many, from any thread and not
             necessarily in order.
@@ -47,11 +49,17 @@ def evaluate(
         BatchError: if the suite cannot be understood, or the results are of another suite, of
             other options or of another version.
         OSError: if a file cannot be read or written.
-        ValueError: if there is no such distance.
+        ValueError: if there is no such distance or precision.
     """
     suite, results = Path(suite_dir), Path(results_dir)
     _evaluate_suite(
-        suite, results, seed=seed, distance=distance, threads=threads, on_scene=progress
+        suite,
+        results,
+        seed=seed,
+        distance=distance,
+        precision=precision,
+        threads=threads,
+        on_scene=progress,
     )
     return _gather(suite, results)
 

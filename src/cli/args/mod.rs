@@ -24,7 +24,7 @@ pub(super) use view::{ContourArgs, OverlayArgs, RenderArgs, ViewArgs};
 use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
-use crate::recover::{Distance, FitOptions};
+use crate::recover::{Distance, FitOptions, Precision};
 
 /// Recovers superquadrics from range points, and tells what there is to know of them.
 #[derive(Debug, Parser)]
@@ -98,6 +98,9 @@ pub(super) struct SearchArgs {
     /// The distance whose squares are minimised.
     #[arg(long, value_enum, default_value_t)]
     pub distance: DistanceArg,
+    /// The numbers in which the rows of the points are evaluated.
+    #[arg(long, value_enum, default_value_t)]
+    pub precision: PrecisionArg,
 }
 
 impl SearchArgs {
@@ -106,6 +109,7 @@ impl SearchArgs {
         FitOptions {
             seed: self.seed,
             distance: self.distance.into(),
+            precision: self.precision.into(),
             threads,
             ..FitOptions::default()
         }
@@ -176,6 +180,25 @@ impl From<DistanceArg> for Distance {
         match typed {
             DistanceArg::Radial => Self::Radial,
             DistanceArg::Geometric => Self::Geometric,
+        }
+    }
+}
+
+/// A precision, as it is typed.
+#[derive(Debug, Clone, Copy, Default, ValueEnum)]
+pub(super) enum PrecisionArg {
+    /// That of f64.
+    #[default]
+    Double,
+    /// That of f32, faster: residuals are rounded by 1e-7 of the cloud's radius.
+    Single,
+}
+
+impl From<PrecisionArg> for Precision {
+    fn from(typed: PrecisionArg) -> Self {
+        match typed {
+            PrecisionArg::Double => Self::Double,
+            PrecisionArg::Single => Self::Single,
         }
     }
 }

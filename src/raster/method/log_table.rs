@@ -42,7 +42,7 @@ impl Method for LogTable {
         let Square { coordinates, inner, .. } = &self.square;
         let power = |log: f64| {
             let log_power = inner * log;
-            exp::<FMA>(if log_power > LOG_FLOOR { log_power } else { LOG_FLOOR })
+            exp::<FMA, _>(if log_power > LOG_FLOOR { log_power } else { LOG_FLOOR })
         };
         let row_power = power(self.logs[j]);
         xs.copy_from_slice(coordinates);

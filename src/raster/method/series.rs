@@ -64,7 +64,7 @@ impl Binomial {
     #[inline(always)]
     pub fn sum<const FMA: bool>(&self, s: f64) -> f64 {
         let [first, second, third] = self.0;
-        let tail = mul_add::<FMA>(third, s, second);
-        mul_add::<FMA>(mul_add::<FMA>(tail, s, first), s, 1.0)
+        let tail = mul_add::<FMA, _>(third, s, second);
+        mul_add::<FMA, _>(mul_add::<FMA, _>(tail, s, first), s, 1.0)
     }
 }

@@ -1,8 +1,8 @@
 //! The fused pass: rows of the radial problem and their Gram matrix, block by block, in vector
 //! code chosen at run time.
 //!
-//! One generic body is compiled for each instruction set. `radial_row` is its reference: the
-//! tests hold every path against it.
+//! One generic body is compiled for each instruction set and precision. `radial_row` is its
+//! reference: the tests hold every path against it.
 
 mod block;
 mod gram;

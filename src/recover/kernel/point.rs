@@ -7,50 +7,50 @@
 use super::block::Scratch;
 use super::gram::COLUMNS;
 use super::view::ModelView;
-use crate::shape::TINY;
+use crate::math::lane::Lane;
 
 /// The greater of two numbers that are not NaN: one instruction, where `f64::max` takes three.
 #[inline(always)]
-pub(super) fn greater(a: f64, b: f64) -> f64 {
+pub(super) fn greater<L: Lane>(a: L, b: L) -> L {
     if a > b { a } else { b }
 }
 
 /// What the rows of one point are made of.
-pub(super) struct Point {
-    x: [f64; 3],
+pub(super) struct Point<L> {
+    x: [L; 3],
     /// `1 / |x_i|`, of coordinates that are not told from zero that of the least that are.
-    inverse: [f64; 3],
+    inverse: [L; 3],
     /// `1 / |x|`.
-    inverse_radius: f64,
+    inverse_radius: L,
     /// Distance of the surface along the ray.
-    surface: f64,
+    surface: L,
     /// The signed radial distance.
-    pub(super) distance: f64,
+    pub(super) distance: L,
     /// Derivatives of the radial distance by the point.
-    n: [f64; 3],
+    n: [L; 3],
     /// `|x| alpha_i / |x_i|`: the gradient of H on the surface, times its distance.
-    q: [f64; 3],
+    q: [L; 3],
     /// `d ln H / d ln |x_i|`.
-    alpha: [f64; 3],
+    alpha: [L; 3],
     /// Share of the equatorial in the meridional sum.
-    equatorial: f64,
+    equatorial: L,
     /// Shares of x and y in the equatorial sum.
-    shares: [f64; 2],
+    shares: [L; 2],
     /// Entropies of the meridional and the equatorial shares.
-    entropies: [f64; 2],
+    entropies: [L; 2],
     is_equatorial: bool,
     is_x_greatest: bool,
 }
 
-impl Point {
+impl<L: Lane> Point<L> {
     #[inline(always)]
-    pub(super) fn at(view: &ModelView, scratch: &Scratch, i: usize) -> Self {
-        let [a, b, c] = view.size;
-        let [ia, ib, _] = view.inverse_size;
+    pub(super) fn at(view: &ModelView, scratch: &Scratch<L>, i: usize) -> Self {
+        let [a, b, c] = view.size.map(L::of);
+        let [ia, ib, _] = view.inverse_size.map(L::of);
         let x = [scratch.x[0][i], scratch.x[1][i], scratch.x[2][i]];
-        let mx = greater(x[0].abs(), TINY * a);
-        let my = greater(x[1].abs(), TINY * b);
-        let mz = greater(x[2].abs(), TINY * c);
+        let mx = greater(x[0].abs(), L::TINY * a);
+        let my = greater(x[1].abs(), L::TINY * b);
+        let mz = greater(x[2].abs(), L::TINY * c);
 
         let equator_greatest = scratch.equator_share[i];
         let equator_least = scratch.equator_power[i] * equator_greatest;
@@ -59,7 +59,7 @@ impl Point {
         let is_x_greatest = mx * ia > my * ib;
         let share_x = if is_x_greatest { equator_greatest } else { equator_least };
         let share_y = if is_x_greatest { equator_least } else { equator_greatest };
-        let is_equatorial = scratch.meridian_log_ratio[i] >= 0.0;
+        let is_equatorial = scratch.meridian_log_ratio[i] >= L::default();
         let equatorial = if is_equatorial { meridian_greatest } else { meridian_least };
         let axial = if is_equatorial { meridian_least } else { meridian_greatest };
         let alpha = [equatorial * share_x, equatorial * share_y, axial];
@@ -71,10 +71,10 @@ impl Point {
         let radius = (mx * mx + my * my + mz * mz).sqrt();
         let surface = radius * scratch.inverse_gauge[i];
         // Two divisions for four reciprocals.
-        let (of_x_and_y, of_z_and_radius) = (1.0 / (mx * my), 1.0 / (mz * radius));
+        let (of_x_and_y, of_z_and_radius) = (L::of(1.0) / (mx * my), L::of(1.0) / (mz * radius));
         let inverse = [my * of_x_and_y, mx * of_x_and_y, radius * of_z_and_radius];
         let inverse_radius = mz * of_z_and_radius;
-        let stretch = (1.0 - scratch.inverse_gauge[i]) * inverse_radius;
+        let stretch = (L::of(1.0) - scratch.inverse_gauge[i]) * inverse_radius;
         let slopes = [alpha[0] * inverse[0], alpha[1] * inverse[1], alpha[2] * inverse[2]];
         let n = [
             x[0] * stretch + with_sign_of(x[0], surface * slopes[0]),
@@ -100,15 +100,15 @@ impl Point {
 
     /// The radial distance and its derivatives, as in `radial_row`.
     #[inline(always)]
-    pub(super) fn radial_row(&self) -> [f64; COLUMNS] {
-        let moment = cross(self.n, self.x);
+    pub(super) fn radial_row(&self) -> [L; COLUMNS] {
+        let (half, moment) = (L::of(0.5), cross(self.n, self.x));
         [
             self.distance,
             -self.surface * self.alpha[0],
             -self.surface * self.alpha[1],
             -self.surface * self.alpha[2],
-            0.5 * self.surface * self.entropies[0],
-            0.5 * self.surface * self.equatorial * self.entropies[1],
+            half * self.surface * self.entropies[0],
+            half * self.surface * self.equatorial * self.entropies[1],
             moment[0],
             moment[1],
             moment[2],
@@ -120,7 +120,7 @@ impl Point {
 
     /// Square of the radial over the geometric distance: at least one.
     #[inline(always)]
-    pub(super) fn square_stretch(&self) -> f64 {
+    pub(super) fn square_stretch(&self) -> L {
         self.q[0] * self.q[0] + self.q[1] * self.q[1] + self.q[2] * self.q[2]
     }
 
@@ -129,14 +129,14 @@ impl Point {
     pub(super) fn geometric_row(
         &self,
         view: &ModelView,
-        scratch: &Scratch,
+        scratch: &Scratch<L>,
         i: usize,
-        radial: &[f64; COLUMNS],
-        square_stretch: f64,
-    ) -> [f64; COLUMNS] {
+        radial: &[L; COLUMNS],
+        square_stretch: L,
+    ) -> [L; COLUMNS] {
         let [e1, e2] = view.exponents;
         let [x, y, z] = self.x;
-        let inverse_square = 1.0 / square_stretch;
+        let inverse_square = L::of(1.0) / square_stretch;
         let beta = [
             self.q[0] * self.q[0] * inverse_square,
             self.q[1] * self.q[1] * inverse_square,
@@ -146,7 +146,7 @@ impl Point {
         let equator_odds = negated_if(scratch.equator_log_power[i], self.is_x_greatest);
         let a = self.alpha[2] - beta[2];
         let b = beta[0] * self.shares[1] - beta[1] * self.shares[0];
-        let (meridian, equator) = (a * (2.0 / e1), b * (2.0 / e2));
+        let (meridian, equator) = (a * L::of(2.0 / e1), b * L::of(2.0 / e2));
         let by_size =
             [meridian * self.shares[0] + equator, meridian * self.shares[1] - equator, -meridian];
         let flattening = self.inverse_radius * self.inverse_radius;
@@ -162,12 +162,12 @@ impl Point {
         ];
         let moment = cross(n, self.x);
         let log_gradient = [
-            0.0,
+            L::default(),
             -by_size[0],
             -by_size[1],
             -by_size[2],
-            -a * meridian_odds * (1.0 / e1),
-            0.5 * meridian * self.entropies[1] - b * equator_odds * (1.0 / e2),
+            -a * meridian_odds * L::of(1.0 / e1),
+            L::of(0.5) * meridian * self.entropies[1] - b * equator_odds * L::of(1.0 / e2),
             moment[0],
             moment[1],
             moment[2],
@@ -186,18 +186,18 @@ impl Point {
 
 /// `value` times the sign of `x`; zero at zero.
 #[inline(always)]
-fn with_sign_of(x: f64, value: f64) -> f64 {
-    let signed = value * 1.0_f64.copysign(x);
-    if x == 0.0 { 0.0 } else { signed }
+fn with_sign_of<L: Lane>(x: L, value: L) -> L {
+    let signed = value * L::of(1.0).copysign(x);
+    if x == L::default() { L::default() } else { signed }
 }
 
 #[inline(always)]
-fn negated_if(value: f64, condition: bool) -> f64 {
+fn negated_if<L: Lane>(value: L, condition: bool) -> L {
     let negated = -value;
     if condition { negated } else { value }
 }
 
 #[inline(always)]
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+fn cross<L: Lane>(a: [L; 3], b: [L; 3]) -> [L; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }

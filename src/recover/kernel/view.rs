@@ -2,6 +2,7 @@
 
 use crate::model::Model;
 use crate::recover::normalization::Normalization;
+use crate::recover::options::Precision;
 
 /// What is minimised, in normalised units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,6 +26,7 @@ pub(crate) struct ModelView {
     pub(super) inverse_size: [f64; 3],
     pub(super) exponents: [f64; 2],
     pub(super) is_geometric: bool,
+    pub(super) precision: Precision,
 }
 
 impl ModelView {
@@ -40,7 +42,13 @@ impl ModelView {
             inverse_size: size.map(f64::recip),
             exponents: model.shape.exponents(),
             is_geometric: residual == Residual::Geometric,
+            precision: Precision::Double,
         }
+    }
+
+    /// The same, rows being evaluated in the given precision.
+    pub fn with_precision(self, precision: Precision) -> Self {
+        Self { precision, ..self }
     }
 
     /// A point of the cloud, in the model's frame (normalised unit).

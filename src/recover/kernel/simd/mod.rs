@@ -17,6 +17,8 @@ use super::block::{Scratch, write_rows};
 use super::gram::{BLOCK, Gram, PortableTile, Rows, TileProducts};
 use super::view::ModelView;
 use crate::math::InstructionSet;
+use crate::math::lane::Lane;
+use crate::recover::options::Precision;
 
 /// The Gram matrix over the points; each row multiplied by its factor, where there are any.
 pub(super) fn gram(
@@ -54,34 +56,35 @@ pub(super) fn geometric_distances(
     }
 }
 
-/// The body of every path, compiled anew inside each, and once for each residual.
+/// The body of every path, compiled anew inside each, and once for each precision and residual.
 #[inline(always)]
 fn gram_blocks<P: TileProducts, const FMA: bool>(
     view: &ModelView,
     points: [&[f64]; 3],
     factors: Option<&[f64]>,
 ) -> Gram {
-    if view.is_geometric {
-        gram_of::<P, FMA, true>(view, points, factors)
-    } else {
-        gram_of::<P, FMA, false>(view, points, factors)
+    match (view.precision, view.is_geometric) {
+        (Precision::Single, true) => gram_of::<f32, P, FMA, true>(view, points, factors),
+        (Precision::Single, false) => gram_of::<f32, P, FMA, false>(view, points, factors),
+        (Precision::Double, true) => gram_of::<f64, P, FMA, true>(view, points, factors),
+        (Precision::Double, false) => gram_of::<f64, P, FMA, false>(view, points, factors),
     }
 }
 
 #[inline(always)]
-fn gram_of<P: TileProducts, const FMA: bool, const GEOMETRIC: bool>(
+fn gram_of<L: Lane, P: TileProducts, const FMA: bool, const GEOMETRIC: bool>(
     view: &ModelView,
     points: [&[f64]; 3],
     factors: Option<&[f64]>,
 ) -> Gram {
-    let mut scratch = Scratch::new();
+    let mut scratch = Scratch::<L>::new();
     let mut rows = Rows::new();
     let mut total = Gram::zero();
     let count = points[0].len();
     for start in (0..count).step_by(BLOCK) {
         let end = count.min(start + BLOCK);
         let block = points.map(|column| &column[start..end]);
-        write_rows::<FMA, GEOMETRIC>(view, block, &mut scratch, &mut rows);
+        write_rows::<L, FMA, GEOMETRIC>(view, block, &mut scratch, &mut rows);
         if let Some(factors) = factors {
             rows.multiply(&factors[start..end]);
         }
@@ -92,12 +95,12 @@ fn gram_of<P: TileProducts, const FMA: bool, const GEOMETRIC: bool>(
 
 #[inline(always)]
 fn distances_of<const FMA: bool>(view: &ModelView, points: [&[f64]; 3], distances: &mut [f64]) {
-    let mut scratch = Scratch::new();
+    let mut scratch = Scratch::<f64>::new();
     let mut rows = Rows::new();
     for (index, distances) in distances.chunks_mut(BLOCK).enumerate() {
         let start = index * BLOCK;
         let block = points.map(|column| &column[start..start + distances.len()]);
-        write_rows::<FMA, false>(view, block, &mut scratch, &mut rows);
+        write_rows::<f64, FMA, false>(view, block, &mut scratch, &mut rows);
         let squares_and_signs = rows.geometric_squares.iter().zip(&rows.columns[0]);
         for (distance, (square, sign)) in distances.iter_mut().zip(squares_and_signs) {
             *distance = square.sqrt().copysign(*sign);
