@@ -94,6 +94,9 @@ impl Clutter {
     /// What neighbours say of the points once those that are clutter have gone: what is left of it
     /// has fewer neighbours then.
     pub fn looked_at_again(mut self, points: PointColumns) -> Self {
+        if self.share < FEW {
+            return self;
+        }
         let kept = self.surface();
         let left = Subset::of(points, &kept);
         let Some(again) = Self::find(left.columns(), &neighbourhoods(left.columns())) else {
