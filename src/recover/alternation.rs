@@ -108,20 +108,20 @@ pub(crate) fn finish(points: &PointSet, fit: MixtureFit) -> Option<MixtureFit> {
 /// A fit without the ends that strays alone make out, and without their points, in a few rounds.
 /// None if the fit is interrupted.
 pub(crate) fn without_ends_of_strays(points: &PointSet, mut fit: MixtureFit) -> Option<MixtureFit> {
-    for _ in 0..ROUNDS_WITHOUT_ENDS {
+    let left = |fit: &MixtureFit| {
         let deviation = fit.mixture.variance.sqrt();
-        let model = &fit.descent.model;
-        let Some(weights) = without_ends_by_chance(points, model, deviation, &fit.weights) else {
-            break;
-        };
-        let descent = descend_weighted(points, &weights, model, &STEP)?;
+        without_ends_by_chance(points, &fit.descent.model, deviation, &fit.weights)
+    };
+    let mut kept = left(&fit);
+    for _ in 0..ROUNDS_WITHOUT_ENDS {
+        let Some(weights) = &kept else { break };
+        let descent = descend_weighted(points, weights, &fit.descent.model, &STEP)?;
         let squares = points.geometric_squares(&descent.model);
         let weights = fit.mixture.expect(&squares, None).weights;
         let passes = fit.passes + descent.passes + 1;
         fit = MixtureFit { descent, weights, passes, ..fit };
+        kept = left(&fit);
     }
-    let deviation = fit.mixture.variance.sqrt();
-    let kept = without_ends_by_chance(points, &fit.descent.model, deviation, &fit.weights);
     Some(MixtureFit { weights: kept.unwrap_or(fit.weights), ..fit })
 }
 
