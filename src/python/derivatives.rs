@@ -32,25 +32,15 @@ pub(super) fn second_derivatives<'py, S: Parametric + Sync>(
     })
 }
 
-/// First fundamental forms `[[E, F], [F, G]]`, of shape (..., 2, 2): the same in every pose.
-pub(super) fn first_fundamental_form<'py>(
+/// One of the fundamental forms, of shape (..., 2, 2): the same in every pose.
+pub(super) fn fundamental_form<'py>(
     surface: &(impl Parametric + Sync),
     eta: Angles<'_, 'py>,
     omega: Angles<'_, 'py>,
+    which: impl Fn(&FundamentalForms) -> [f64; 3] + Sync,
 ) -> PyResult<Array<'py>> {
     map_angles_to_rows(eta, omega, |eta, omega| {
-        symmetric(FundamentalForms::at(surface, eta, omega).first)
-    })
-}
-
-/// Second fundamental forms `[[D, D1], [D1, D2]]`, of shape (..., 2, 2): the same in every pose.
-pub(super) fn second_fundamental_form<'py>(
-    surface: &(impl Parametric + Sync),
-    eta: Angles<'_, 'py>,
-    omega: Angles<'_, 'py>,
-) -> PyResult<Array<'py>> {
-    map_angles_to_rows(eta, omega, |eta, omega| {
-        symmetric(FundamentalForms::at(surface, eta, omega).second)
+        symmetric(which(&FundamentalForms::at(surface, eta, omega)))
     })
 }
 

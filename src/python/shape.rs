@@ -158,7 +158,7 @@ impl PyShape {
         eta: Angles<'_, 'py>,
         omega: Angles<'_, 'py>,
     ) -> PyResult<Array<'py>> {
-        derivatives::first_fundamental_form(&self.0.shape, eta, omega)
+        derivatives::fundamental_form(&self.0.shape, eta, omega, |forms| forms.first)
     }
 
     /// Second fundamental forms, of shape (..., 2, 2), at latitudes `eta` and longitudes `omega`,
@@ -170,7 +170,7 @@ impl PyShape {
         eta: Angles<'_, 'py>,
         omega: Angles<'_, 'py>,
     ) -> PyResult<Array<'py>> {
-        derivatives::second_fundamental_form(&self.0.shape, eta, omega)
+        derivatives::fundamental_form(&self.0.shape, eta, omega, |forms| forms.second)
     }
 
     /// Second derivatives of F at points of shape (..., 3), in an array of shape (..., 3, 3).
