@@ -3,6 +3,12 @@
 
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub};
 
+/// The greater of two numbers that are not NaN: one instruction, where `f64::max` takes three.
+#[inline(always)]
+pub(crate) fn greater<L: Lane>(a: L, b: L) -> L {
+    if a > b { a } else { b }
+}
+
 /// What loops need of `f64` and `f32`, and what the elementary functions differ in.
 pub(crate) trait Lane:
     Copy

@@ -128,7 +128,11 @@ pub(crate) fn without_ends_of_strays(points: &PointSet, mut fit: MixtureFit) -> 
 /// The variance of the noise around a model from the nearest third of the points, which are hardly
 /// strays.
 pub(crate) fn variance_of_nearest(points: &PointSet, model: &Model) -> f64 {
-    let mut squares = points.geometric_squares(model);
+    variance_of_least(points.geometric_squares(model))
+}
+
+/// The same from the squared distances of all.
+pub(crate) fn variance_of_least(mut squares: Vec<f64>) -> f64 {
     let place = 3 * squares.len() / 10;
     let (_, square, _) = squares.select_nth_unstable_by(place, f64::total_cmp);
     *square / LOW_QUANTILE

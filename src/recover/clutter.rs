@@ -116,6 +116,11 @@ impl Clutter {
     }
 }
 
+/// Whether the reaches of some of the points hint at clutter, so that all are worth a look.
+pub(crate) fn is_hinted_at(reaches: &[f64]) -> bool {
+    isolated(reaches).contains(&true) || Populations::are_hinted_at(&quantiles(reaches, QUANTILES))
+}
+
 /// Which points are far from all others, where these are but a few.
 fn isolated(reaches: &[f64]) -> Vec<bool> {
     let most = GREATEST_REACH * quantile(reaches, 0.5);

@@ -7,6 +7,10 @@
 
 use std::f64::consts::TAU;
 
+use crate::math::elementary::{exp, ln_ratio};
+use crate::math::lane::{Lane, greater};
+use crate::math::{lane_dot, lane_sum, vectorized};
+
 /// Least standard deviation, in normalised units: beside it the arithmetic's own errors show.
 const LEAST_DEVIATION: f64 = 1e-7;
 
@@ -48,32 +52,65 @@ impl Mixture {
     /// The expectation (the E step) around a model that has these squared distances, and the
     /// mixture's own part of the maximisation. `odds` are what neighbours say of each point.
     pub fn expect(&self, squares: &[f64], odds: Option<&[f64]>) -> Expectation {
-        let variance = self.variance.max(LEAST_DEVIATION * LEAST_DEVIATION);
-        let surface = (1.0 - self.stray_share) / (self.room.area * (TAU * variance).sqrt());
-        let stray = self.stray_share / self.room.volume;
-        let mut log_likelihood = 0.0;
-        let mut weights = Vec::with_capacity(squares.len());
-        for (i, square) in squares.iter().enumerate() {
-            let odds = odds.map_or(1.0, |odds| odds[i]);
-            let near = odds * surface * (-0.5 * square / variance).exp();
-            log_likelihood += (near + stray).ln();
-            weights.push(near / (near + stray));
-        }
-        let count = squares.len() as f64;
+        let (weights, logs) = vectorized::run(Densities { mixture: self, squares, odds });
+        let log_likelihood = lane_sum(&logs) / squares.len() as f64;
         let next = self.most_likely(&weights, squares);
-        Expectation { weights, log_likelihood: log_likelihood / count, next }
+        Expectation { weights, log_likelihood, next }
+    }
+
+    /// The mean logarithm of the points' density once this mixture has settled, in so many rounds,
+    /// around a model that stays as it is.
+    pub fn settled_log_likelihood(mut self, squares: &[f64], rounds: usize) -> f64 {
+        for _ in 0..rounds {
+            self = self.expect(squares, None).next;
+        }
+        self.expect(squares, None).log_likelihood
     }
 
     /// The mixture's part of the maximisation (the M step).
     fn most_likely(&self, weights: &[f64], squares: &[f64]) -> Self {
-        let near: f64 = weights.iter().sum();
-        let spread: f64 = weights.iter().zip(squares).map(|(weight, square)| weight * square).sum();
+        let near = lane_sum(weights);
+        let spread = lane_dot(weights, squares);
         let [low, high] = SHARE_BOUNDS;
         Self {
             variance: spread / near.max(f64::MIN_POSITIVE),
             stray_share: (1.0 - near / squares.len() as f64).clamp(low, high),
             ..*self
         }
+    }
+}
+
+/// The density of each point.
+struct Densities<'a> {
+    mixture: &'a Mixture,
+    squares: &'a [f64],
+    odds: Option<&'a [f64]>,
+}
+
+impl vectorized::Kernel for Densities<'_> {
+    /// The surface's share of each point's density, and the logarithm of both parts together.
+    type Output = (Vec<f64>, Vec<f64>);
+
+    #[inline(always)]
+    fn run<const FMA: bool>(self) -> Self::Output {
+        let Mixture { variance, stray_share, room } = *self.mixture;
+        let variance = variance.max(LEAST_DEVIATION * LEAST_DEVIATION);
+        let surface = (1.0 - stray_share) / (room.area * (TAU * variance).sqrt());
+        let stray = stray_share / room.volume;
+        let count = self.squares.len();
+        let (mut weights, mut logs) = (vec![surface; count], vec![0.0; count]);
+        if let Some(odds) = self.odds {
+            weights.iter_mut().zip(odds).for_each(|(weight, odds)| *weight *= odds);
+        }
+        let columns = weights.iter_mut().zip(&mut logs).zip(self.squares);
+        for ((weight, log), square) in columns {
+            let exponent = greater(-0.5 * square / variance, f64::LOG_FLOOR);
+            let near = *weight * exp::<FMA, f64>(exponent);
+            let both = greater(near + stray, f64::MIN_POSITIVE);
+            *weight = near / both;
+            *log = ln_ratio::<FMA, f64>(both, 1.0);
+        }
+        (weights, logs)
     }
 }
 

@@ -1,11 +1,13 @@
 //! Neighbours among few points.
 
+mod nearest;
 mod strips;
 
 use std::ops::Range;
 
 use nalgebra::{Matrix3, Vector3};
 
+pub(crate) use nearest::nearest_others;
 use strips::{Strips, Windows};
 
 use crate::cloud::PointColumns;
@@ -47,11 +49,6 @@ impl Neighbourhood {
         square(self.worst()).sqrt()
     }
 
-    /// The index of the nearest neighbour, where there is one.
-    pub fn nearest(&self) -> Option<usize> {
-        self.indices().next()
-    }
-
     fn indices(&self) -> impl Iterator<Item = usize> {
         self.0.iter().filter(|key| **key < NONE).map(|key| (key & INDEX) as usize)
     }
@@ -91,32 +88,46 @@ impl Neighbourhood {
 
 /// The eight nearest neighbours of each point, of [`MOST_POINTS`] at most.
 pub(crate) fn neighbourhoods(points: PointColumns) -> Vec<Neighbourhood> {
-    vectorized::run(NeighboursOfAll(&Strips::of(points)))
+    let mut all = vec![Neighbourhood::within(f64::INFINITY); points[0].len()];
+    for (index, found) in vectorized::run(NeighboursOf { strips: &Strips::of(points), every: 1 }) {
+        all[index as usize] = found;
+    }
+    all
 }
 
-/// The search for the neighbours of every point: strip by strip, and along each.
-struct NeighboursOfAll<'a>(&'a Strips);
+/// The eight nearest neighbours, among all points, of one point in so many.
+pub(crate) fn some_neighbourhoods(points: PointColumns, every: usize) -> Vec<Neighbourhood> {
+    let found = vectorized::run(NeighboursOf { strips: &Strips::of(points), every });
+    found.into_iter().map(|(_, neighbourhood)| neighbourhood).collect()
+}
 
-impl vectorized::Kernel for NeighboursOfAll<'_> {
-    type Output = Vec<Neighbourhood>;
+/// The search for the neighbours of one point in so many: strip by strip, and along each.
+struct NeighboursOf<'a> {
+    strips: &'a Strips,
+    every: usize,
+}
+
+impl vectorized::Kernel for NeighboursOf<'_> {
+    /// Indices of points, and what is found of each.
+    type Output = Vec<(u64, Neighbourhood)>;
 
     #[inline(always)]
-    fn run<const FMA: bool>(self) -> Vec<Neighbourhood> {
-        let strips = self.0;
-        let mut all = vec![Neighbourhood::within(f64::INFINITY); strips.points()];
+    fn run<const FMA: bool>(self) -> Self::Output {
+        let Self { strips, every } = self;
+        let mut all = Vec::with_capacity(strips.points().div_ceil(every) + strips.count());
         let mut search = Search { strips, keys: vec![0; strips.points()] };
         // The point before, and how far its neighbours reach.
         let mut before: Option<(usize, f64)> = None;
         for strip in 0..strips.count() {
             let mut windows = strips.windows();
             let mut first = None;
-            for place in strips.places(strip) {
+            for place in strips.places(strip).step_by(every) {
                 // What is in reach of a point is not much farther from another.
                 let most = before.map_or(f64::INFINITY, |(other, reach)| {
                     reach + strips.square_between(other, place).sqrt()
                 });
                 let found = search.neighbourhood(place, strip, most, &mut windows);
-                all[strips.index(place) as usize] = found;
+                all.push((strips.index(place), found));
                 before = Some((place, found.reach()));
                 first = first.or(before);
             }

@@ -2,7 +2,8 @@
 //! mixture of surface and strays from the best of what it finds.
 
 use super::alternation::{
-    MixtureFit, Schedule, alternate, finish, variance_of_nearest, without_ends_of_strays,
+    MixtureFit, Schedule, alternate, finish, variance_of_least, variance_of_nearest,
+    without_ends_of_strays,
 };
 use super::clutter::Clutter;
 use super::concentration::{CORE_SHARE, concentrated};
@@ -43,6 +44,11 @@ const ON_ALL: Schedule = Schedule { rounds: 8, is_share_free: true };
 /// and the share of them to begin with.
 const OUTLIERS_GAIN: f64 = 0.02;
 const FEW: f64 = 0.1;
+
+/// A share of that gain is reached around the fit to all points already, if it can be reached, in so
+/// many rounds.
+const HINT: f64 = 0.25;
+const HINT_ROUNDS: usize = 5;
 
 /// Deviation about the model of the half that fits best, in that about the model of all, below which
 /// the others had drawn the fit off.
@@ -99,6 +105,11 @@ pub(crate) fn set_outliers_apart(
     let variance = squares.iter().sum::<f64>() / squares.len() as f64;
     let without = Mixture { variance, stray_share: 0.0, room: survey.room };
     let without = without.expect(&squares, None).log_likelihood;
+    let variance = variance_of_least(squares.clone());
+    let hint = Mixture { variance, stray_share: FEW, room: survey.room };
+    if hint.settled_log_likelihood(&squares, HINT_ROUNDS) - without < HINT * OUTLIERS_GAIN {
+        return None;
+    }
 
     let mut search = CoreSearch { sample: &sample, seed, passes: 0, starts: 0 };
     let settled = search.settle_among_few(&plain.model, survey.room)?;

@@ -2,10 +2,10 @@
 
 use nalgebra::Vector3;
 
-use super::clutter::{Clutter, seen_area};
+use super::clutter::{Clutter, is_hinted_at, seen_area};
 use super::evidence::{Evidence, Facing, FreeSpace, SeenArea, Support};
 use super::mixture::Room;
-use super::neighbours::{MOST_POINTS, Neighbourhood, neighbourhoods};
+use super::neighbours::{MOST_POINTS, Neighbourhood, neighbourhoods, some_neighbourhoods};
 use super::normalization::Moments;
 use super::options::FitOptions;
 use super::sight::Sight;
@@ -15,6 +15,9 @@ use crate::cloud::PointColumns;
 /// Most points of the sample.
 const SAMPLE: usize = 3_000;
 const _: () = assert!(SAMPLE <= MOST_POINTS);
+
+/// Points of the sample that tell at a glance whether there is anything besides a surface.
+const GLANCED_AT: usize = 500;
 
 /// Most rays to points of the sample that are looked along.
 const RAYS_TO_POINTS: usize = 100;
@@ -35,14 +38,7 @@ impl Survey {
     pub fn of(points: PointColumns, moments: &Moments, seed: u64) -> Self {
         let points = Subset::stratified(points, SAMPLE, seed);
         let normalized = Subset::normalized(points.columns(), &moments.normalization);
-        let neighbourhoods = neighbourhoods(normalized.columns());
-        let clutter = Clutter::find(normalized.columns(), &neighbourhoods)
-            .map(|clutter| clutter.looked_at_again(normalized.columns()));
-        let reaches: Vec<f64> = neighbourhoods.iter().map(Neighbourhood::reach).collect();
-        let area = clutter.as_ref().map_or_else(
-            || seen_area(&reaches, &vec![1.0; reaches.len()]),
-            |clutter| clutter.surface_area,
-        );
+        let (clutter, area) = clutter_and_area(normalized.columns());
         let volume = box_volume(normalized.columns(), moments);
         Self { points, clutter, room: Room { area, volume } }
     }
@@ -70,6 +66,33 @@ impl Survey {
             support: options.support.map(|plane| Support::new(&plane, normalization)),
         }
     }
+}
+
+/// What is not of the surface, if there is any, and the area on which the others lie: at a glance,
+/// if some of the points do not hint at anything.
+fn clutter_and_area(points: PointColumns) -> (Option<Clutter>, f64) {
+    let count = points[0].len();
+    let every = count / GLANCED_AT;
+    if every > 1 {
+        let reaches = reaches(&some_neighbourhoods(points, every));
+        if !is_hinted_at(&reaches) {
+            let area = seen_area(&reaches, &vec![1.0; reaches.len()]);
+            return (None, area * count as f64 / reaches.len() as f64);
+        }
+    }
+    let neighbourhoods = neighbourhoods(points);
+    match Clutter::find(points, &neighbourhoods) {
+        None => (None, seen_area(&reaches(&neighbourhoods), &vec![1.0; count])),
+        Some(clutter) => {
+            let clutter = clutter.looked_at_again(points);
+            let area = clutter.surface_area;
+            (Some(clutter), area)
+        }
+    }
+}
+
+fn reaches(neighbourhoods: &[Neighbourhood]) -> Vec<f64> {
+    neighbourhoods.iter().map(Neighbourhood::reach).collect()
 }
 
 /// The volume of the points' box along the cloud's principal axes.

@@ -9,7 +9,7 @@ use super::chart::Chart;
 use super::covariance::Covariance;
 use super::descent::PointSet;
 use super::kernel::Gram;
-use super::neighbours::neighbourhoods;
+use super::neighbours::nearest_others;
 use super::radial::PARAMETERS;
 use super::subset::Subset;
 use crate::model::Model;
@@ -93,8 +93,8 @@ pub(crate) fn neighbour_correlation(sample: &PointSet, model: &Model) -> f64 {
     let residuals = sample.geometric_distances(model);
     let squares: f64 = residuals.iter().map(|r| r * r).sum();
     let points = Subset::normalized(sample.points, sample.normalization);
-    let neighbourhoods = neighbourhoods(points.columns());
-    let nearest = neighbourhoods.iter().map(|one| one.nearest().map_or(0.0, |j| residuals[j]));
+    let nearest = nearest_others(points.columns()).into_iter();
+    let nearest = nearest.map(|other| other.map_or(0.0, |j| residuals[j]));
     let products: f64 = residuals.iter().zip(nearest).map(|(r, other)| r * other).sum();
     if squares > 0.0 { products / squares } else { 0.0 }
 }

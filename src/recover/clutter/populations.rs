@@ -13,6 +13,9 @@ use super::{ODDS_BOUNDS, ROUNDS, SHAPE, quantile};
 /// a single view without any reaches 0.11, 80 % of clutter 0.16, 60 % 1.5.
 const LEAST_GAIN: f64 = 0.12;
 
+/// The share of that gain, among some of the distances, which hints at it.
+const HINT: f64 = 0.75;
+
 /// Least share of either population while it is estimated.
 pub(super) const LEAST_SHARE: f64 = 1e-6;
 
@@ -73,6 +76,16 @@ impl Populations {
     /// The surface among clutter that makes distances most likely; none where one surface alone
     /// explains them.
     pub(super) fn find(distances: &[f64]) -> Option<Self> {
+        Self::with_gain(distances, LEAST_GAIN)
+    }
+
+    /// Whether some of the distances let suspect that all show clutter.
+    pub(super) fn are_hinted_at(distances: &[f64]) -> bool {
+        Self::with_gain(distances, HINT * LEAST_GAIN).is_some()
+    }
+
+    /// Those that make distances most likely, if that gains so much.
+    fn with_gain(distances: &[f64], least_gain: f64) -> Option<Self> {
         let distances: Vec<Distance> = distances.iter().map(|&d| Distance::of(d)).collect();
         let without = Self::most_likely(&distances, &vec![1.0; distances.len()]);
         let mut found = Self::most_likely(&distances, &nearer_half(&distances));
@@ -86,7 +99,7 @@ impl Populations {
         }
         let gain = found.log_likelihood(&distances) - without.log_likelihood(&distances);
         let is_clutter_sparser = found.clutter_distance() > found.surface_distance();
-        (gain > LEAST_GAIN && is_clutter_sparser).then_some(found)
+        (gain > least_gain && is_clutter_sparser).then_some(found)
     }
 
     /// Those that make distances most likely, by the points' weights on the surface.

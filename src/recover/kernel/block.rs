@@ -4,10 +4,10 @@
 //! [`radial_row`]: crate::recover::radial::radial_row
 
 use super::gram::{BLOCK, Rows};
-use super::point::{Point, greater};
+use super::point::Point;
 use super::view::ModelView;
 use crate::math::elementary::{exp, ln_1p_and_inverse, ln_ratio, mul_add};
-use crate::math::lane::Lane;
+use crate::math::lane::{Lane, greater};
 
 type Column<L> = [L; BLOCK];
 

@@ -1,6 +1,7 @@
 //! What a pass sums up: the Gram matrix of residual and Jacobian columns, `[r J]' [r J]`, all
 //! that Levenberg-Marquardt needs to know of the rows; and the squared geometric distances.
 
+use crate::math::lane_sum;
 use crate::recover::radial::PARAMETERS;
 
 /// Rows evaluated at a time: their columns stay in the first-level cache.
@@ -157,19 +158,6 @@ impl TileProducts for PortableTile {
         };
         std::array::from_fn(|i| std::array::from_fn(|j| product(i, j)))
     }
-}
-
-/// The sum of a column, in lanes that fill the widest registers.
-#[inline(always)]
-fn lane_sum(column: &[f64; BLOCK]) -> f64 {
-    const LANES: usize = 8;
-    let mut lanes = [0.0; LANES];
-    for values in column.as_chunks::<LANES>().0 {
-        for (lane, value) in lanes.iter_mut().zip(values) {
-            *lane += value;
-        }
-    }
-    lanes.iter().sum()
 }
 
 fn pairs(column: &[f64; BLOCK]) -> impl Iterator<Item = &[f64; 2]> {

@@ -7,13 +7,7 @@
 use super::block::Scratch;
 use super::gram::COLUMNS;
 use super::view::ModelView;
-use crate::math::lane::Lane;
-
-/// The greater of two numbers that are not NaN: one instruction, where `f64::max` takes three.
-#[inline(always)]
-pub(super) fn greater<L: Lane>(a: L, b: L) -> L {
-    if a > b { a } else { b }
-}
+use crate::math::lane::{Lane, greater};
 
 /// What the rows of one point are made of.
 pub(super) struct Point<L> {
