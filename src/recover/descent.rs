@@ -115,12 +115,22 @@ const RELEASES: usize = 2;
 /// Within a run a parameter that has passed its bound rests there; if the minimum of the others
 /// leaves it drawn back inside, another run follows from there.
 pub(crate) fn descend(points: &PointSet, start: &Model, effort: &Effort) -> Option<Descent> {
-    let mut descent = run(points, start, effort)?;
+    descend_beside(points, start, effort, f64::INFINITY)
+}
+
+/// As [`descend`], given up where it is behind a rival's loss and promises little.
+pub(crate) fn descend_beside(
+    points: &PointSet,
+    start: &Model,
+    effort: &Effort,
+    rival: f64,
+) -> Option<Descent> {
+    let mut descent = run(points, start, effort, rival)?;
     for _ in 0..RELEASES {
         if !is_drawn_inside(&descent, points.constraints) {
             break;
         }
-        let further = run(points, &descent.model, effort)?;
+        let further = run(points, &descent.model, effort, rival)?;
         let passes = descent.passes + further.passes;
         descent = Descent { passes, ..further };
     }
@@ -140,10 +150,11 @@ fn is_drawn_inside(descent: &Descent, constraints: &NormalizedConstraints) -> bo
         || (0..2).any(|k| is_drawn(shape.exponents()[k], e[k], constraints.exponents[k]))
 }
 
-fn run(points: &PointSet, start: &Model, effort: &Effort) -> Option<Descent> {
+fn run(points: &PointSet, start: &Model, effort: &Effort, rival: f64) -> Option<Descent> {
     let rows = |model: &Model| points.gram(model);
     let problem = CompressedProblem::around(start, points.constraints, effort.tolerance, rows)
-        .with_rounding(points.precision.rounding());
+        .with_rounding(points.precision.rounding())
+        .with_rival(rival * points.weight());
     let (problem, report) = LevenbergMarquardt::new()
         .with_ftol(effort.tolerance)
         .with_xtol(effort.tolerance)
@@ -159,7 +170,7 @@ fn run(points: &PointSet, start: &Model, effort: &Effort) -> Option<Descent> {
         gram,
         radial_mean_square: gram.radial_squares / points.weight(),
         geometric_mean_square: gram.geometric_squares / points.weight(),
-        loss: (gram.geometric_squares + gram.evidence_squares) / points.weight(),
+        loss: gram.loss_squares() / points.weight(),
         passes,
         termination: report.termination.into(),
     })

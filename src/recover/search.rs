@@ -1,7 +1,7 @@
 //! The search for the right minimum: brief descents on few points from several starts, then
 //! switches from the best of them, then the best few on more points.
 
-use super::descent::{Descent, Effort, PointSet, descend};
+use super::descent::{Descent, Effort, PointSet, descend_beside};
 use super::evidence::{Evidence, Facing};
 use super::kernel::Residual;
 use super::normalization::Moments;
@@ -188,7 +188,8 @@ impl Search {
 
     /// Descends from a model and files the result by its loss.
     fn descend(&mut self, points: &PointSet, start: &Model, effort: &Effort) {
-        if let Some(descent) = descend(points, start, effort) {
+        let rival = self.least_loss();
+        if let Some(descent) = descend_beside(points, start, effort, rival) {
             self.passes += descent.passes;
             let place = self.candidates.partition_point(|other| other.loss <= descent.loss);
             self.candidates.insert(place, descent);

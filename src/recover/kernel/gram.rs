@@ -84,6 +84,11 @@ impl Gram {
         self.matrix[0][0]
     }
 
+    /// Sum of squared geometric distances, with what evidence adds: by this models are ranked.
+    pub fn loss_squares(&self) -> f64 {
+        self.geometric_squares + self.evidence_squares
+    }
+
     /// Adds a row that is evidence.
     pub fn add_row(&mut self, residual: f64, gradient: &[f64; PARAMETERS]) {
         self.matrix[0][0] += residual * residual;

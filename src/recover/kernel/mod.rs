@@ -42,7 +42,10 @@ pub(crate) fn gram(
         simd::gram(set, view, points.map(|column| &column[range.clone()]), factors)
     };
     let chunks = count.div_ceil(CHUNK);
-    if !parallel || chunks < 2 {
+    if chunks == 1 {
+        return chunk(0);
+    }
+    if !parallel {
         return sum((0..chunks).map(chunk));
     }
     let partial: Vec<Gram> = (0..chunks).into_par_iter().map(chunk).collect();
