@@ -4,10 +4,7 @@ Needs `pip install '.[synth,batch]' scipy` and, on Debian, what open3d loads (da
 """
 
 import argparse
-import datetime
 import os
-import platform
-import re
 import sys
 import tempfile
 from dataclasses import replace
@@ -15,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import single_start
+from pages import DOCS, SAMPLES, SUCCESS_IOU, made_by
 
 import superquadric
 from superquadric.batch import evaluate
@@ -23,22 +21,15 @@ from superquadric.batch.table import HEADER, cells, markdown
 from superquadric.progress import Progress
 from superquadric.synth import generate, read_suite
 
-DOCS = Path(__file__).parent
 SUITES = DOCS.parent / "data_synth"
 NAMES = ["full-noise", "single-view", "boxes-and-cans", "thin", "table-top", "outliers"]
 SINGLE_START = "single start"
 METHODS = ["geometric", "radial", SINGLE_START]
-SUCCESS_IOU = 0.9
 QUARTILES = [0, 0.25, 0.5, 0.75, 1]
-SAMPLES = 5000
 
 PAGE = """# How well shapes are recovered
 
-Made on {date} by
-
-    {command}
-
-with superquadric {version} on {cpu} ({cores} cores), from the suites of
+{made}, from the suites of
 [data_synth](../data_synth/README.md): the first {scenes} scenes of each level, known truth, seed 0.
 
 - Success: share of the scenes whose volume overlap (IoU) with the truth is at least 0.9.
@@ -124,11 +115,7 @@ def _level(name, scores):
 
 def _page(results, scenes):
     head = PAGE.format(
-        date=datetime.date.today().isoformat(),
-        command=f"python docs/accuracy.py --scenes {scenes}",
-        version=superquadric.__version__,
-        cpu=cpu(),
-        cores=os.cpu_count(),
+        made=made_by(f"python docs/accuracy.py --scenes {scenes}"),
         scenes=scenes,
         shortcomings=_shortcomings(results),
     )
@@ -163,15 +150,6 @@ def _shortcomings(results):
 def _poor(suite, levels):
     names = [level["level"] for level in levels if level["success"] < 0.9]
     return f"- {suite}: {', '.join(names)}\n" if names else ""
-
-
-def cpu():
-    try:
-        text = Path("/proc/cpuinfo").read_text(encoding="utf-8")
-    except OSError:
-        return platform.processor()
-    found = re.search(r"model name\s*:\s*(.+)", text)
-    return found[1] if found else platform.machine()
 
 
 def _draw(results):

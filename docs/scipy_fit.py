@@ -1,6 +1,9 @@
 """What a careful Python user would write: SciPy's trust-region fit with an analytic Jacobian."""
 
+from dataclasses import dataclass
+
 import numpy as np
+import scipy_search
 from scipy.optimize import least_squares
 from scipy.spatial.transform import Rotation
 
@@ -9,45 +12,60 @@ from superquadric import Superellipsoid
 LEAST_SHARE = 1e-100
 LOG_FLOOR = -690.0
 BOUNDS = np.array([[1e-3] * 3 + [0.1] * 2 + [-np.inf] * 6, [6.0] * 3 + [1.9] * 2 + [np.inf] * 6])
-AXIS_ORDERS = [[1, 2, 0], [2, 0, 1], [0, 1, 2]]
+START_BOUNDS = np.array(
+    [[1e-2] * 3 + [0.15] * 2 + [-np.inf] * 6, [5.0] * 3 + [1.85] * 2 + [np.inf] * 6]
+)
+SEARCHES = {
+    "principal": scipy_search.from_principal_axes,
+    "same": scipy_search.as_the_library,
+}
 
 
-def fit(points):
-    """Minimise the radial distance (JLS Eq. 2.43) from each principal axis as z; the best of three.
+@dataclass(frozen=True)
+class Fit:
+    """The best model found, and how many models were descended from."""
+
+    model: Superellipsoid
+    starts: int
+
+
+def fit(points, starts="same"):
+    """Minimise the radial distance (JLS Eq. 2.43) of all points from several starts.
 
     Args:
         points: of shape (n, 3).
+        starts: `"principal"` for each principal axis as z, `"same"` for those of the library.
 
     Returns:
-        The model.
+        The `Fit`.
     """
     centroid = points.mean(axis=0)
     scale = np.sqrt(np.mean(np.sum((points - centroid) ** 2, axis=1)))
     normal = (points - centroid) / scale
-    runs = [
-        least_squares(
-            lambda p: rows(p, normal)[0],
-            start,
-            jac=lambda p: rows(p, normal)[1],
-            bounds=BOUNDS,
-            method="trf",
-            x_scale="jac",
-            max_nfev=200,
-        )
-        for start in _starts(normal)
-    ]
-    size, exponents, angles, centre = np.split(min(runs, key=lambda run: run.cost).x, [3, 5, 8])
-    return Superellipsoid(
-        scale * size, exponents, euler_zyz=angles, translation=scale * centre + centroid
+    search = SEARCHES[starts](normal, lambda start: _descend(normal, start))
+    best = search.best.model
+    model = Superellipsoid(
+        scale * best.size,
+        best.exponents,
+        rotation=best.rotation,
+        translation=scale * best.translation + centroid,
     )
+    return Fit(model, len(search.descents))
 
 
-def _starts(points):
-    variances, axes = np.linalg.eigh(np.cov(points.T))
-    axes[:, 0] *= np.sign(np.linalg.det(axes))
-    size = np.clip(np.sqrt(3 * np.maximum(variances, 0)), 1e-2, 5)
-    for order in AXIS_ORDERS:
-        yield Superellipsoid(size[order], [1, 1], rotation=axes[:, order]).parameters
+def _descend(points, start):
+    run = least_squares(
+        lambda p: rows(p, points)[0],
+        np.clip(start.parameters, *START_BOUNDS),
+        jac=lambda p: rows(p, points)[1],
+        bounds=BOUNDS,
+        method="trf",
+        x_scale="jac",
+        max_nfev=200,
+    )
+    size, exponents, angles, centre = np.split(run.x, [3, 5, 8])
+    model = Superellipsoid(size, exponents, euler_zyz=angles, translation=centre)
+    return scipy_search.Descent(model, run.cost)
 
 
 def rows(parameters, points):
