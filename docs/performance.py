@@ -201,7 +201,7 @@ def _draw(complete, strays, folder):
         times = [np.median(complete[count][method][:, 0]) for count in points]
         by_points.loglog(points, times, "o-", label=method)
     by_points.set(xlabel="points", ylabel="ms")
-    by_points.legend()
+    figure.legend(loc="outside upper left", ncols=len(METHODS))
     shares = [100 * share for share in strays]
     by_share.plot(shares, [np.median(results[:, 0]) for results in strays.values()], "o-")
     by_share.set(xlabel=f"strays among {STRAY_POINTS:,} points, %", ylim=(0, None))
