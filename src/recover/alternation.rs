@@ -55,6 +55,8 @@ pub(crate) struct Schedule {
     pub rounds: usize,
     /// Whether the share of strays is estimated too, or stays as it is.
     pub is_share_free: bool,
+    /// Rounds of the mixture alone before each descent, which cost far less than it.
+    pub mixture_rounds: usize,
 }
 
 /// Alternates from a model and a mixture until both are settled. `odds` are what neighbours say of
@@ -73,7 +75,11 @@ pub(crate) fn alternate(
     let (mut model, mut mixture, mut passes) = (*start, mixture, 0);
     let mut last = None;
     for _ in 0..schedule.rounds {
-        let expectation = mixture.expect(&points.geometric_squares(&model), odds);
+        let squares = points.geometric_squares(&model);
+        let mut expectation = mixture.expect(&squares, odds);
+        for _ in 0..schedule.mixture_rounds {
+            expectation = constrained(expectation.next).expect(&squares, odds);
+        }
         let descent = descend_weighted(points, &expectation.weights, &model, &STEP)?;
         passes += descent.passes + 1;
         model = descent.model;

@@ -23,7 +23,7 @@ use crate::cloud::PointColumns;
 const SHAPE: f64 = NEIGHBOUR as f64;
 
 /// Distances that stand for all where densities are estimated.
-const QUANTILES: usize = 256;
+const QUANTILES: usize = 128;
 
 /// Rounds of expectation and maximisation.
 const ROUNDS: usize = 40;

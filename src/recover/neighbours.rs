@@ -11,7 +11,7 @@ pub(crate) use nearest::nearest_others;
 use strips::{Strips, Windows};
 
 use crate::cloud::PointColumns;
-use crate::math::vectorized;
+use crate::math::{least_eigenvalue, vectorized};
 
 /// The neighbour whose distance counts: near enough to stay on a surface, far enough not to be
 /// chance.
@@ -58,12 +58,11 @@ impl Neighbourhood {
     /// at most. (Surface variation: M. Pauly, M. Gross and L. Kobbelt 2002.)
     pub fn variation(&self, points: PointColumns) -> f64 {
         let point = |index: usize| Vector3::from(points.map(|column| column[index]));
-        let neighbours: Vec<Vector3<f64>> = self.indices().map(point).collect();
-        let centroid = neighbours.iter().sum::<Vector3<f64>>() / neighbours.len().max(1) as f64;
-        let scatter: Matrix3<f64> =
-            neighbours.iter().map(|x| (x - centroid) * (x - centroid).transpose()).sum();
-        let least = scatter.symmetric_eigenvalues().min().max(0.0);
-        if scatter.trace() > 0.0 { least / scatter.trace() } else { 0.0 }
+        let count = self.indices().count().max(1) as f64;
+        let centroid = self.indices().map(point).sum::<Vector3<f64>>() / count;
+        let offsets = self.indices().map(|index| point(index) - centroid);
+        let scatter: Matrix3<f64> = offsets.map(|x| x * x.transpose()).sum();
+        if scatter.trace() > 0.0 { least_eigenvalue(&scatter) / scatter.trace() } else { 0.0 }
     }
 
     /// No neighbours yet, of which none is to be farther off than this.

@@ -221,7 +221,7 @@ pub(crate) fn is_misfit(points: &PointSet, model: &Model) -> bool {
 }
 
 /// Whether two models that brief descents have ended in are on the way to one minimum.
-fn is_same_minimum(a: &Model, b: &Model) -> bool {
+pub(crate) fn is_same_minimum(a: &Model, b: &Model) -> bool {
     let (a, b) = (a.canonical().shape, b.canonical().shape);
     let sizes = a.size().into_iter().zip(b.size());
     let exponents = a.exponents().into_iter().zip(b.exponents());

@@ -12,7 +12,7 @@ use super::kernel::Residual;
 use super::mixture::{Mixture, Room};
 use super::normalization::Moments;
 use super::radial::PARAMETERS;
-use super::search::{BRIEF, Search, is_misfit};
+use super::search::{BRIEF, Search, is_misfit, is_same_minimum};
 use super::subset::Subset;
 use super::survey::Survey;
 use crate::model::Model;
@@ -36,9 +36,9 @@ const MEDIUM: Effort = Effort { tolerance: 1e-4, patience: 2, step_bound: 1.0 };
 const SCREENING_SHARE: f64 = 0.25;
 
 /// Rounds of a screening, on the sample, and on all points, where they start next to their end.
-const SCREENING: Schedule = Schedule { rounds: 8, is_share_free: false };
-const ON_SAMPLE: Schedule = Schedule { rounds: 30, is_share_free: true };
-const ON_ALL: Schedule = Schedule { rounds: 8, is_share_free: true };
+const SCREENING: Schedule = Schedule { rounds: 8, is_share_free: false, mixture_rounds: 0 };
+const ON_SAMPLE: Schedule = Schedule { rounds: 30, is_share_free: true, mixture_rounds: 3 };
+const ON_ALL: Schedule = Schedule { rounds: 8, is_share_free: true, mixture_rounds: 3 };
 
 /// Gain in mean log-likelihood from which on outliers are set apart where neighbours show none,
 /// and the share of them to begin with.
@@ -77,19 +77,21 @@ pub(crate) fn fit_among_clutter(
     let core = Subset::of(sample.points, &clutter.surface());
     let mut search = CoreSearch { sample: &sample, seed, passes: 0, starts: 0 };
     let start = Mixture { variance: 1.0, stray_share: clutter.share, room: survey.room };
-    let settled = search.screen(&core, start).into_iter().filter_map(|fit| {
+    let mut settled = Vec::new();
+    for fit in search.screen(&core, start) {
         let mixture = Mixture { stray_share: clutter.share, ..fit.mixture };
-        alternate(&sample, odds, &fit.descent.model, mixture, ON_SAMPLE)
-    });
-    let best = settled.reduce(MixtureFit::more_likely)?;
+        settled.extend(search.settle(&fit.descent.model, mixture, odds));
+    }
+    let mut best = settled.into_iter().reduce(MixtureFit::more_likely)?;
     let (mixture, surface) = (best.mixture, Subset::of(sample.points, &best.surface()));
-    let settle = |model| alternate(&sample, odds, &model, mixture, ON_SAMPLE);
-    let again = search.minima(&surface).into_iter().filter_map(settle);
-    let best = again.fold(best, MixtureFit::more_likely);
+    for model in search.other_minima(&surface, &best.descent.model) {
+        let other = search.settle(&model, mixture, odds);
+        best = other.into_iter().fold(best, MixtureFit::more_likely);
+    }
     let best = search.concentrate(best);
     let on_all = alternate(&all, None, &best.descent.model, best.mixture, ON_ALL)?;
     let fit = finish(&all, without_ends_of_strays(&all, on_all)?)?;
-    Some(Recovery { passes: search.passes + best.passes + fit.passes, starts: search.starts, fit })
+    Some(Recovery { passes: search.passes + fit.passes, starts: search.starts, fit })
 }
 
 /// Outliers that neighbours do not show, set apart from a fit to all points; then, as they may have
@@ -105,9 +107,7 @@ pub(crate) fn set_outliers_apart(
     let variance = squares.iter().sum::<f64>() / squares.len() as f64;
     let without = Mixture { variance, stray_share: 0.0, room: survey.room };
     let without = without.expect(&squares, None).log_likelihood;
-    let variance = variance_of_least(squares.clone());
-    let hint = Mixture { variance, stray_share: FEW, room: survey.room };
-    if hint.settled_log_likelihood(&squares, HINT_ROUNDS) - without < HINT * OUTLIERS_GAIN {
+    if !are_hinted_at(&squares, without, survey.room) {
         return None;
     }
 
@@ -118,13 +118,22 @@ pub(crate) fn set_outliers_apart(
         return None;
     }
     let surface = Subset::of(sample.points, &best.surface());
-    for model in search.minima(&surface) {
+    for model in search.other_minima(&surface, &best.descent.model) {
         let other = search.settle_among_few(&model, survey.room);
         best = other.into_iter().fold(best, MixtureFit::more_likely);
     }
     let on_all = alternate(all, None, &best.descent.model, best.mixture, ON_ALL)?;
     let fit = finish(all, without_ends_of_strays(all, on_all)?)?;
     Some(Recovery { passes: search.passes + fit.passes, starts: search.starts, fit })
+}
+
+/// Whether points with these squared distances from a model gain by outliers, be it not as much as
+/// they could around a model that is fitted without these.
+fn are_hinted_at(squares: &[f64], log_likelihood_without: f64, room: Room) -> bool {
+    let variance = variance_of_least(squares.to_vec());
+    let few = Mixture { variance, stray_share: FEW, room };
+    let with = few.settled_log_likelihood(squares, HINT_ROUNDS);
+    with - log_likelihood_without >= HINT * OUTLIERS_GAIN
 }
 
 /// Searches on parts of a sample, and what they cost.
@@ -139,12 +148,17 @@ impl CoreSearch<'_> {
     /// The mixture around a model, from few strays.
     fn settle_among_few(&mut self, model: &Model, room: Room) -> Option<MixtureFit> {
         let variance = variance_of_nearest(self.sample, model);
-        self.settle(model, Mixture { variance, stray_share: FEW, room })
+        self.settle(model, Mixture { variance, stray_share: FEW, room }, None)
     }
 
-    /// The mixture around a model, from another one, whatever neighbours say.
-    fn settle(&mut self, model: &Model, start: Mixture) -> Option<MixtureFit> {
-        let fit = alternate(self.sample, None, model, start, ON_SAMPLE)?;
+    /// The mixture around a model, from another one. `odds` are what neighbours say of each point.
+    fn settle(
+        &mut self,
+        model: &Model,
+        start: Mixture,
+        odds: Option<&[f64]>,
+    ) -> Option<MixtureFit> {
+        let fit = alternate(self.sample, odds, model, start, ON_SAMPLE)?;
         self.passes += fit.passes;
         Some(fit)
     }
@@ -165,8 +179,8 @@ impl CoreSearch<'_> {
         self.passes += passes;
         let variance = variance_of_nearest(self.sample, &model);
         let start = Mixture { variance, stray_share: 1.0 - CORE_SHARE, ..fit.mixture };
-        let before = self.settle(&fit.descent.model, fit.mixture)?;
-        let fit = self.settle(&model, start)?;
+        let before = self.settle(&fit.descent.model, fit.mixture, None)?;
+        let fit = self.settle(&model, start, None)?;
         let is_nearer = fit.mixture.variance < DRAWN_OFF.powi(2) * before.mixture.variance;
         let is_likelier = fit.log_likelihood - before.log_likelihood > OUTLIERS_GAIN;
         (is_nearer && is_likelier).then_some(fit)
@@ -185,7 +199,21 @@ impl CoreSearch<'_> {
         let mut fits: Vec<MixtureFit> = models.iter().filter_map(screened).collect();
         self.passes += fits.iter().map(|fit| fit.passes).sum::<usize>();
         fits.sort_by(|a, b| b.log_likelihood.total_cmp(&a.log_likelihood));
-        fits
+        let mut distinct: Vec<MixtureFit> = Vec::new();
+        for fit in fits {
+            let is_known =
+                |known: &MixtureFit| is_same_minimum(&known.descent.model, &fit.descent.model);
+            if !distinct.iter().any(is_known) {
+                distinct.push(fit);
+            }
+        }
+        distinct
+    }
+
+    /// The best few minima of a search on a core, but for one that is known.
+    fn other_minima(&mut self, core: &Subset, known: &Model) -> Vec<Model> {
+        let minima = self.minima(core).into_iter();
+        minima.filter(|model| !is_same_minimum(model, known)).collect()
     }
 
     /// The best few minima of a search on a core, all of whose points count.

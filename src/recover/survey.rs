@@ -17,7 +17,7 @@ const SAMPLE: usize = 3_000;
 const _: () = assert!(SAMPLE <= MOST_POINTS);
 
 /// Points of the sample that tell at a glance whether there is anything besides a surface.
-const GLANCED_AT: usize = 500;
+const GLANCED_AT: usize = 256;
 
 /// Most rays to points of the sample that are looked along.
 const RAYS_TO_POINTS: usize = 100;

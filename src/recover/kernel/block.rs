@@ -101,7 +101,8 @@ pub(super) fn write_rows<L: Lane, const FMA: bool, const GEOMETRIC: bool>(
 fn place<L: Lane>(view: &ModelView, [px, py, pz]: [&Column<f64>; 3], scratch: &mut Scratch<L>) {
     let [ia, ib, ic] = view.inverse_size.map(L::of);
     for i in 0..BLOCK {
-        let [x, y, z] = view.model_from_cloud([px[i], py[i], pz[i]]).map(L::of);
+        let [x, y, z] = view.model_from_cloud([px[i], py[i], pz[i]]);
+        let [x, y, z] = [L::of(x), L::of(y), L::of(z)];
         scratch.x[0][i] = x;
         scratch.x[1][i] = y;
         scratch.x[2][i] = z;

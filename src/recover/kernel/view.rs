@@ -55,9 +55,14 @@ impl ModelView {
     #[inline(always)]
     pub fn model_from_cloud(&self, point: [f64; 3]) -> [f64; 3] {
         let Normalization { centroid, inverse_radius, .. } = self.normalization;
-        let [x, y, z]: [f64; 3] = std::array::from_fn(|i| {
-            (point[i] - centroid[i]) * inverse_radius - self.translation[i]
-        });
-        self.axes.map(|axis| axis[0] * x + axis[1] * y + axis[2] * z)
+        let (mut offset, mut x_model) = ([0.0; 3], [0.0; 3]);
+        // Loops, as the functions that take closures would not be compiled for the instruction set.
+        for i in 0..3 {
+            offset[i] = (point[i] - centroid[i]) * inverse_radius - self.translation[i];
+        }
+        for (x_model, axis) in x_model.iter_mut().zip(&self.axes) {
+            *x_model = axis[0] * offset[0] + axis[1] * offset[1] + axis[2] * offset[2];
+        }
+        x_model
     }
 }

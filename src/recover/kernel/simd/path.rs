@@ -38,13 +38,16 @@ macro_rules! vector_path {
             }
         }
 
+        // Loops, as the functions that take closures would not be compiled for the features.
         #[inline]
         #[target_feature(enable = $features)]
         fn products(columns: &Columns, left: usize, right: usize) -> [[f64; TILE]; TILE] {
             let mut sums = [[$zero(); TILE]; TILE];
             for start in (0..BLOCK).step_by($lanes) {
-                let b: [$register; TILE] =
-                    std::array::from_fn(|j| load(&columns[right + j], start));
+                let mut b = [$zero(); TILE];
+                for (j, b) in b.iter_mut().enumerate() {
+                    *b = load(&columns[right + j], start);
+                }
                 for (i, row) in sums.iter_mut().enumerate() {
                     let a = load(&columns[left + i], start);
                     for (sum, b) in row.iter_mut().zip(b) {
@@ -52,7 +55,13 @@ macro_rules! vector_path {
                     }
                 }
             }
-            sums.map(|row| row.map(|sum| $sum(sum)))
+            let mut products = [[0.0; TILE]; TILE];
+            for (row, sums) in products.iter_mut().zip(sums) {
+                for (product, sum) in row.iter_mut().zip(sums) {
+                    *product = $sum(sum);
+                }
+            }
+            products
         }
 
         #[inline]
