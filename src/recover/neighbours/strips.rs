@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::{Key, key};
+use super::{INDEX, Key, key};
 use crate::cloud::PointColumns;
 
 /// Points in a strip for each strip there would be of as many points: the wider, the fewer strips
@@ -29,11 +29,11 @@ impl Strips {
         let [first, second, _] = [0, 1, 2].map(|k| points[(widest + k) % 3]);
         let mut order: Vec<u64> = (0..first.len() as u64).collect();
         let width = WIDTH * first.len().isqrt().max(1);
-        order.sort_by(|&i, &j| first[i as usize].total_cmp(&first[j as usize]));
+        sort_by(&mut order, first);
         let mut ranges = Vec::with_capacity(first.len().div_ceil(width));
         for strip in order.chunks_mut(width) {
             ranges.push([strip[0], strip[strip.len() - 1]].map(|i| first[i as usize]));
-            strip.sort_by(|&i, &j| second[i as usize].total_cmp(&second[j as usize]));
+            sort_by(strip, second);
         }
         let column = |k: usize| -> Vec<f64> {
             let column = points[(widest + k) % 3];
@@ -131,6 +131,21 @@ fn moved(mut at: usize, places: &Range<usize>, is_before: impl Fn(usize) -> bool
         at += 1;
     }
     at
+}
+
+/// Sorts indices by a column, whose numbers count to eleven digits: both together are one key.
+fn sort_by(indices: &mut [u64], column: &[f64]) {
+    for index in indices.iter_mut() {
+        *index |= ordered_bits(column[*index as usize]) & !INDEX;
+    }
+    indices.sort_unstable();
+    indices.iter_mut().for_each(|key| *key &= INDEX);
+}
+
+/// Bits that are in the order of the number, whatever its sign.
+fn ordered_bits(x: f64) -> u64 {
+    let bits = x.to_bits();
+    if x.is_sign_negative() { !bits } else { bits | 1 << 63 }
 }
 
 fn widest_column(points: PointColumns) -> usize {
