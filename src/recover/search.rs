@@ -34,7 +34,7 @@ const LOOKS: usize = 2;
 const LIKELIER: f64 = 1.0;
 
 /// A model whose loss is this many times the best one's is not taken on.
-const HOPELESS: f64 = 4.0;
+const HOPELESS: f64 = 2.0;
 
 /// A winner whose loss is this share of the next minimum's ends the search: a fifth of its RMS.
 const CLEAR: f64 = 0.04;
