@@ -49,6 +49,7 @@ pub mod compare;
 pub mod deform;
 pub mod error;
 pub mod exchange;
+pub mod machine;
 pub mod math;
 pub mod model;
 pub mod outline;

@@ -3,7 +3,7 @@
 use std::process::{Command, Output};
 
 use serde_json::Value;
-use superquadric::math::InstructionSet;
+use superquadric::machine::InstructionSet;
 
 const SAMPLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/samples/one_sided_view.ply");
 

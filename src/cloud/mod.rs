@@ -12,7 +12,6 @@ mod point_rows;
 mod points;
 mod read;
 mod records;
-mod room;
 mod scalar;
 mod text;
 mod text_rows;

@@ -1,7 +1,7 @@
 //! A cloud of finite points, stored as three coordinate columns.
 
 use super::points::{Points, all_finite};
-use super::room;
+use crate::machine::room;
 
 /// Columns x, y, z of equally many points.
 pub type PointColumns<'a> = [&'a [f64]; 3];

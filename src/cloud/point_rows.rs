@@ -2,7 +2,7 @@
 
 use super::PointColumns;
 use super::points::{Points, rows_of};
-use super::room;
+use crate::machine::room;
 
 /// Finite points in world coordinates, one after another, as arrays of shape (n, 3) hold them.
 #[derive(Debug, Clone, Default, PartialEq)]

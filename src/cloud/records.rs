@@ -3,8 +3,8 @@
 use super::error::{Place, Problem};
 use super::input::{CAPACITY, Input};
 use super::points::Points;
-use super::room;
 use super::scalar::{ByteOrder, Scalar};
+use crate::machine::room;
 
 /// The rows decoded at a time, so few that they and their columns stay in the first-level cache.
 const BLOCK: usize = 512;

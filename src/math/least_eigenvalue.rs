@@ -28,8 +28,7 @@ pub(crate) fn least_eigenvalue(matrix: &Matrix3<f64>) -> f64 {
         let value = ((least - trace) * least + minors) * least - determinant;
         let slope = (3.0 * least - 2.0 * trace) * least + minors;
         let step = -value / slope;
-        // Written so that what is not a number ends it too.
-        if !(step > SETTLED * trace) {
+        if step.is_nan() || step <= SETTLED * trace {
             break;
         }
         least += step;

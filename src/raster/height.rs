@@ -1,8 +1,9 @@
 //! A superellipsoid seen along its z axis, written into a z-buffer.
 
 use super::z_buffer::ZBuffer;
+use crate::machine::Products;
+use crate::machine::vectorized::{self, Kernel};
 use crate::math::elementary32::{exp2, log2, mul_add, one_less_exp2, parts, parts32};
-use crate::math::vectorized::{self, Kernel};
 use crate::shape::Superellipsoid;
 
 /// Where a parallel view along its z axis sees a superellipsoid: its x axis along the rows, its
@@ -109,7 +110,7 @@ impl Kernel for QuarterRow<'_> {
 
     /// Loops of `f64` and loops of `f32` apart, so that the latter take whole vectors.
     #[inline(always)]
-    fn run<const FMA: bool>(self) {
+    fn run<const FMA: bool, P: Products>(self) {
         let Self { powers, row_power, middle, outer, size, centre_depth, .. } = self;
         let (exponents, fractions) = (self.exponents, self.fractions);
         let is_equal = middle == 1.0;
@@ -148,7 +149,7 @@ impl Kernel for Reflection<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn run<const FMA: bool>(self) {
+    fn run<const FMA: bool, P: Products>(self) {
         let Axis { first_above, first_below, .. } = *self.axis;
         let (pixels, depths) = (self.pixels, self.depths);
         let (side, count) = (pixels.len() as isize, depths.len() as isize);

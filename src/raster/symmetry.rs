@@ -2,8 +2,9 @@
 //! 48-fold symmetry.
 
 use super::vertex_array::VertexArray;
+use crate::machine::Products;
+use crate::machine::vectorized::{self, Kernel};
 use crate::math::elementary::power;
-use crate::math::vectorized::{self, Kernel};
 
 /// Images of a point under the symmetries of a superellipsoid of equal exponents.
 const IMAGES: usize = 48;
@@ -72,7 +73,7 @@ impl Kernel for PartRow<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn run<const FMA: bool>(self) {
+    fn run<const FMA: bool, P: Products>(self) {
         let SmallestPart { coordinates, powers, exponent, .. } = self.part;
         let [xs, ys, zs] = self.columns;
         ys.fill(coordinates[self.j] as f32);
@@ -97,7 +98,7 @@ impl Kernel for Images<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn run<const FMA: bool>(self) {
+    fn run<const FMA: bool, P: Products>(self) {
         let count = self.columns[0].len();
         for image in 0..IMAGES {
             let (order, octant) = (ORDERS[image / 8], image % 8);

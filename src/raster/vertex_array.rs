@@ -1,6 +1,7 @@
 //! Vertices by columns, as graphics hardware takes them.
 
-use crate::math::vectorized::{self, Kernel};
+use crate::machine::Products;
+use crate::machine::vectorized::{self, Kernel};
 
 /// Points of a surface as columns of x, y and z.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -61,7 +62,7 @@ impl Kernel for Product<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn run<const FMA: bool>(self) {
+    fn run<const FMA: bool, P: Products>(self) {
         let length = self.equator[0].len();
         let [xs, ys, zs] = &mut self.vertices.columns;
         for (j, &[radius, height]) in self.meridian.iter().enumerate() {

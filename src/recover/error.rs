@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::math::InstructionSetError;
+use crate::machine::InstructionSetError;
 
 /// A cloud that does not determine a solid.
 #[derive(Debug, Clone, PartialEq, Error)]

@@ -16,7 +16,7 @@ use super::result::Fit;
 use super::survey::Survey;
 use super::uncertainty::{covariance, dependence};
 use crate::cloud::PointCloud;
-use crate::math::instruction_set;
+use crate::machine::instruction_set;
 use crate::model::Model;
 
 /// Points from which on a pass is worth sharing among threads.

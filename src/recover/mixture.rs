@@ -7,9 +7,10 @@
 
 use std::f64::consts::TAU;
 
+use crate::machine::{Products, vectorized};
 use crate::math::elementary::{exp, ln_ratio};
 use crate::math::lane::{Lane, greater};
-use crate::math::{lane_dot, lane_sum, vectorized};
+use crate::math::{lane_dot, lane_sum};
 
 /// Least standard deviation, in normalised units: beside it the arithmetic's own errors show.
 const LEAST_DEVIATION: f64 = 1e-7;
@@ -92,7 +93,7 @@ impl vectorized::Kernel for Densities<'_> {
     type Output = (Vec<f64>, Vec<f64>);
 
     #[inline(always)]
-    fn run<const FMA: bool>(self) -> Self::Output {
+    fn run<const FMA: bool, P: Products>(self) -> Self::Output {
         let Mixture { variance, stray_share, room } = *self.mixture;
         let variance = variance.max(LEAST_DEVIATION * LEAST_DEVIATION);
         let surface = (1.0 - stray_share) / (room.area * (TAU * variance).sqrt());

@@ -11,7 +11,8 @@ pub(crate) use nearest::nearest_others;
 use strips::{Strips, Windows};
 
 use crate::cloud::PointColumns;
-use crate::math::{least_eigenvalue, vectorized};
+use crate::machine::{Products, vectorized};
+use crate::math::least_eigenvalue;
 
 /// The neighbour whose distance counts: near enough to stay on a surface, far enough not to be
 /// chance.
@@ -111,7 +112,7 @@ impl vectorized::Kernel for NeighboursOf<'_> {
     type Output = Vec<(u64, Neighbourhood)>;
 
     #[inline(always)]
-    fn run<const FMA: bool>(self) -> Self::Output {
+    fn run<const FMA: bool, P: Products>(self) -> Self::Output {
         let Self { strips, every } = self;
         let mut all = Vec::with_capacity(strips.points().div_ceil(every) + strips.count());
         let mut search = Search { strips, keys: vec![0; strips.points()] };

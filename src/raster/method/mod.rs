@@ -26,7 +26,8 @@ pub use raw_parametric::RawParametric;
 pub use series::Series;
 pub use spherical_product::SphericalProduct;
 
-use crate::math::vectorized::{self, Kernel};
+use crate::machine::Products;
+use crate::machine::vectorized::{self, Kernel};
 
 /// A way to calculate points of the unit superellipsoid in its first octant.
 ///
@@ -63,7 +64,7 @@ impl<M: Method> Kernel for Row<'_, M> {
     type Output = ();
 
     #[inline(always)]
-    fn run<const FMA: bool>(self) {
+    fn run<const FMA: bool, P: Products>(self) {
         self.method.row_for::<FMA>(self.j, self.columns);
     }
 }

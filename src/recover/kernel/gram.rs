@@ -1,6 +1,7 @@
 //! What a pass sums up: the Gram matrix of residual and Jacobian columns, `[r J]' [r J]`, all
 //! that Levenberg-Marquardt needs to know of the rows; and the squared geometric distances.
 
+use crate::machine::{Products, TILE};
 use crate::math::lane_sum;
 use crate::recover::radial::PARAMETERS;
 
@@ -39,9 +40,6 @@ impl Rows {
         }
     }
 }
-
-/// Columns in one side of a tile: nine sums, which fit the registers with their operands.
-pub(super) const TILE: usize = 3;
 
 /// `[r J]' [r J]` over some rows, and what else is summed over them.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -125,10 +123,10 @@ impl Gram {
 
     /// Adds the rows of a block, tile by tile.
     #[inline(always)]
-    pub(super) fn add_block<P: TileProducts>(&mut self, rows: &Rows) {
+    pub(super) fn add_block<P: Products>(&mut self, rows: &Rows) {
         for row in (0..COLUMNS).step_by(TILE) {
             for column in (row..COLUMNS).step_by(TILE) {
-                let sums = P::products(&rows.columns, row, column);
+                let sums = P::tile(&rows.columns, row, column);
                 for (entries, sums) in self.matrix[row..].iter_mut().zip(sums) {
                     for (entry, sum) in entries[column..].iter_mut().zip(sums) {
                         *entry += sum;
@@ -139,32 +137,4 @@ impl Gram {
         self.radial_squares += lane_sum(&rows.radial_squares);
         self.geometric_squares += lane_sum(&rows.geometric_squares);
     }
-}
-
-/// Products of each of the columns `left..left + TILE` with each of `right..right + TILE`,
-/// summed over a block.
-///
-/// An explicit part of each path, since compilers make good vector code of it only by luck.
-pub(super) trait TileProducts {
-    fn products(columns: &Columns, left: usize, right: usize) -> [[f64; TILE]; TILE];
-}
-
-/// The products in plain Rust, with two partial sums side by side.
-pub(super) struct PortableTile;
-
-impl TileProducts for PortableTile {
-    #[inline(always)]
-    fn products(columns: &Columns, left: usize, right: usize) -> [[f64; TILE]; TILE] {
-        let product = |i: usize, j: usize| {
-            let [even, odd] = pairs(&columns[left + i])
-                .zip(pairs(&columns[right + j]))
-                .fold([0.0; 2], |[even, odd], (a, b)| [even + a[0] * b[0], odd + a[1] * b[1]]);
-            even + odd
-        };
-        std::array::from_fn(|i| std::array::from_fn(|j| product(i, j)))
-    }
-}
-
-fn pairs(column: &[f64; BLOCK]) -> impl Iterator<Item = &[f64; 2]> {
-    column.as_chunks::<2>().0.iter()
 }

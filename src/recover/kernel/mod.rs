@@ -6,18 +6,19 @@
 
 mod block;
 mod gram;
+mod passes;
 mod point;
-mod simd;
 mod view;
 
 pub(crate) use gram::{COLUMNS, Gram};
 
 pub(crate) use view::{ModelView, Residual};
 
+use passes::{DistancesOf, GramOf};
 use rayon::prelude::*;
 
 use crate::cloud::PointColumns;
-use crate::math::{InstructionSet, instruction_set};
+use crate::machine::vectorized;
 
 /// Points whose rows are summed in one go: fixed, so that the sum does not depend on how many
 /// threads share the work.
@@ -35,11 +36,11 @@ pub(crate) fn gram(
     parallel: bool,
 ) -> Gram {
     let count = points[0].len();
-    let set = set_in_use();
     let chunk = |index: usize| {
         let range = index * CHUNK..count.min((index + 1) * CHUNK);
         let factors = factors.map(|factors| &factors[range.clone()]);
-        simd::gram(set, view, points.map(|column| &column[range.clone()]), factors)
+        let points = points.map(|column| &column[range.clone()]);
+        vectorized::run(GramOf { view, points, factors })
     };
     let chunks = count.div_ceil(CHUNK);
     if chunks == 1 {
@@ -59,15 +60,10 @@ pub(crate) fn geometric_distances(
     parallel: bool,
 ) -> Vec<f64> {
     let mut distances = vec![0.0; points[0].len()];
-    let set = set_in_use();
     let fill = |(index, distances): (usize, &mut [f64])| {
         let range = index * CHUNK..index * CHUNK + distances.len();
-        simd::geometric_distances(
-            set,
-            view,
-            points.map(|column| &column[range.clone()]),
-            distances,
-        );
+        let points = points.map(|column| &column[range.clone()]);
+        vectorized::run(DistancesOf { view, points, distances });
     };
     if parallel {
         distances.par_chunks_mut(CHUNK).enumerate().for_each(fill);
@@ -75,11 +71,6 @@ pub(crate) fn geometric_distances(
         distances.chunks_mut(CHUNK).enumerate().for_each(fill);
     }
     distances
-}
-
-/// A wish that cannot be met is an error of the fit, which has asked before.
-fn set_in_use() -> InstructionSet {
-    instruction_set().unwrap_or(InstructionSet::Portable)
 }
 
 fn sum(grams: impl IntoIterator<Item = Gram>) -> Gram {

@@ -5,6 +5,8 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::*;
+use crate::machine::InstructionSet;
+use crate::machine::vectorized::run_by;
 use crate::math::lane::Lane;
 use crate::model::Model;
 use crate::pose::Pose;
@@ -218,7 +220,7 @@ fn every_path_sums_the_scalar_rows() {
 
 fn each_distance(set: InstructionSet, view: &ModelView, points: [&[f64]; 3]) -> Vec<f64> {
     let mut distances = vec![0.0; points[0].len()];
-    simd::geometric_distances(set, view, points, &mut distances);
+    run_by(set, DistancesOf { view, points, distances: &mut distances });
     distances
 }
 
@@ -229,7 +231,7 @@ fn assert_sums_agree(view: &ModelView, points: &[[f64; 3]], tolerance: f64) {
     let squares: Vec<_> = points.iter().map(|point| squares(view, *point)).collect();
     let [radial, geometric] = [0, 1].map(|k| squares.iter().map(|s| s[k]).sum::<f64>());
     for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
-        let actual = simd::gram(set, view, [&x, &y, &z], None);
+        let actual = run_by(set, GramOf { view, points: [&x, &y, &z], factors: None });
         let each = each_distance(set, view, [&x, &y, &z]);
         for (i, distance) in each.iter().enumerate() {
             let [_, square] = squares[i];

@@ -2,7 +2,7 @@
 
 use super::{INDEX, Key, NONE, key};
 use crate::cloud::PointColumns;
-use crate::math::vectorized;
+use crate::machine::{Products, vectorized};
 
 /// Which other point is the nearest to each, of a few hundred points; none where there is no other.
 pub(crate) fn nearest_others(points: PointColumns) -> Vec<Option<usize>> {
@@ -15,7 +15,7 @@ impl vectorized::Kernel for NearestOfAll<'_> {
     type Output = Vec<Option<usize>>;
 
     #[inline(always)]
-    fn run<const FMA: bool>(self) -> Self::Output {
+    fn run<const FMA: bool, P: Products>(self) -> Self::Output {
         let count = self.0[0].len();
         let mut all = Vec::with_capacity(count);
         for here in 0..count {

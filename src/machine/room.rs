@@ -3,13 +3,10 @@
 //! Fresh memory is handed out page by page, each cleared when it is first written to, which in pages
 //! of 4 kB takes several times as long as to read a cloud into them. The system is asked for huge
 //! ones.
-//!
-//! Invariant: what is asked of the system never changes what memory holds or whose it is.
-#![allow(unsafe_code)]
 
 /// An empty vector with room for `capacity` items, of huge pages where it is large and the system
 /// has them.
-pub(super) fn with_capacity<T>(capacity: usize) -> Vec<T> {
+pub(crate) fn with_capacity<T>(capacity: usize) -> Vec<T> {
     let mut items = Vec::with_capacity(capacity);
     ask_for_huge_pages(items.spare_capacity_mut());
     items

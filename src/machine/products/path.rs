@@ -1,49 +1,41 @@
 //! What the vector paths have in common.
 
-/// The pass compiled for some target features, with products summed in that set's registers.
+/// Products summed in the registers of some target features: the type `$name`.
 ///
 /// `$load` takes a pointer, `$fmadd` is `a b + c` and `$sum` adds the lanes of a register.
 macro_rules! vector_path {
     (
-        features: $features:literal,
+        $name:ident: $features:literal,
         register: $register:ty = $lanes:literal lanes,
         operations: $zero:ident, $load:ident, $fmadd:ident, $sum:ident $(,)?
     ) => {
-        use crate::recover::kernel::gram::{BLOCK, Columns, Gram, TILE, TileProducts};
-        use crate::recover::kernel::simd::{distances_of, gram_blocks};
-        use crate::recover::kernel::view::ModelView;
+        use super::{Products, TILE};
 
-        #[target_feature(enable = $features)]
-        pub(super) fn gram(view: &ModelView, points: [&[f64]; 3], factors: Option<&[f64]>) -> Gram {
-            gram_blocks::<Tile, true>(view, points, factors)
-        }
+        /// To be named only in code that is compiled for the features.
+        pub(in crate::machine) struct $name;
 
-        #[target_feature(enable = $features)]
-        pub(super) fn geometric_distances(
-            view: &ModelView,
-            points: [&[f64]; 3],
-            distances: &mut [f64],
-        ) {
-            distances_of::<true>(view, points, distances);
-        }
-
-        struct Tile;
-
-        impl TileProducts for Tile {
+        impl Products for $name {
             #[inline(always)]
-            fn products(columns: &Columns, left: usize, right: usize) -> [[f64; TILE]; TILE] {
-                // SAFETY: this type is private to the module and named only in `gram`, which is
-                // called only where the features are there.
-                unsafe { products(columns, left, right) }
+            fn tile<const LENGTH: usize>(
+                columns: &[[f64; LENGTH]],
+                left: usize,
+                right: usize,
+            ) -> [[f64; TILE]; TILE] {
+                // SAFETY: the type is named only where the features are there.
+                unsafe { tile(columns, left, right) }
             }
         }
 
         // Loops, as the functions that take closures would not be compiled for the features.
         #[inline]
         #[target_feature(enable = $features)]
-        fn products(columns: &Columns, left: usize, right: usize) -> [[f64; TILE]; TILE] {
+        fn tile<const LENGTH: usize>(
+            columns: &[[f64; LENGTH]],
+            left: usize,
+            right: usize,
+        ) -> [[f64; TILE]; TILE] {
             let mut sums = [[$zero(); TILE]; TILE];
-            for start in (0..BLOCK).step_by($lanes) {
+            for start in (0..LENGTH).step_by($lanes) {
                 let mut b = [$zero(); TILE];
                 for (j, b) in b.iter_mut().enumerate() {
                     *b = load(&columns[right + j], start);
@@ -66,7 +58,7 @@ macro_rules! vector_path {
 
         #[inline]
         #[target_feature(enable = $features)]
-        fn load(column: &[f64; BLOCK], start: usize) -> $register {
+        fn load(column: &[f64], start: usize) -> $register {
             let lanes = &column[start..start + $lanes];
             // SAFETY: the slice holds as many values as are read; they need no alignment.
             unsafe { $load(lanes.as_ptr()) }

@@ -1,11 +1,11 @@
-//! The pass for processors with AVX2 and FMA.
+//! Products for processors with AVX2 and FMA.
 
 use std::arch::x86_64::{
     __m256d, _mm256_fmadd_pd, _mm256_loadu_pd, _mm256_setzero_pd, _mm256_storeu_pd,
 };
 
 super::path::vector_path! {
-    features: "avx2,fma",
+    Avx2: "avx2,fma",
     register: __m256d = 4 lanes,
     operations: _mm256_setzero_pd, _mm256_loadu_pd, _mm256_fmadd_pd, horizontal_sum,
 }
