@@ -12,7 +12,7 @@ from superquadric import Superellipsoid
 LEAST_SHARE = 1e-100
 LOG_FLOOR = -690.0
 BOUNDS = np.array([[1e-3] * 3 + [0.1] * 2 + [-np.inf] * 6, [6.0] * 3 + [1.9] * 2 + [np.inf] * 6])
-# Starts lie inside: of a switched model the library, too, keeps the exponents 0.05 off their bounds.
+# Starts lie inside: the library, too, keeps exponents of switched models 0.05 off their bounds.
 START_BOUNDS = np.array(
     [[1e-2] * 3 + [0.15] * 2 + [-np.inf] * 6, [5.0] * 3 + [1.85] * 2 + [np.inf] * 6]
 )

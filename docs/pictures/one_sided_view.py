@@ -1,4 +1,4 @@
-"""Draws docs/pictures/one_sided_view.png: the sample cloud, and what `superquadric fit` makes of it.
+"""Draws docs/pictures/one_sided_view.png: the sample cloud, and what `superquadric fit` finds.
 
 Usage: python docs/pictures/one_sided_view.py   (needs numpy, matplotlib, and the release build)
 """
