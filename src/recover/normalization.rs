@@ -20,7 +20,6 @@ pub(crate) struct Normalization {
 
 impl Normalization {
     /// The similarity that changes nothing.
-    #[cfg(test)]
     pub fn identity() -> Self {
         Self { centroid: [0.0; 3], radius: 1.0, inverse_radius: 1.0 }
     }

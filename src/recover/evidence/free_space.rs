@@ -7,20 +7,16 @@
 
 use nalgebra::Vector3;
 
+use super::deepest::{Line, deepest_points};
 use crate::cloud::PointColumns;
 use crate::model::Model;
-use crate::recover::geometric::geometric_row;
-use crate::recover::kernel::Gram;
+use crate::recover::kernel::{self, Gram, ModelView};
 use crate::recover::normalization::Normalization;
 use crate::recover::sight::{Sight, SightLine};
-use crate::shape::Superellipsoid;
 
 /// Weight of all rays beside the object in that of all points: as in a view of 600 points and
 /// 200 rays each of which weighs 100 times a point.
 const WEIGHT_BESIDE: f64 = 33.0;
-
-/// Rounds of the golden section that finds the deepest point.
-const ROUNDS: usize = 30;
 
 /// Rays of a sensor that came through, in normalised coordinates.
 #[derive(Debug, Clone, PartialEq)]
@@ -85,77 +81,18 @@ impl FreeSpace {
     }
 
     fn add_rows(&self, rays: &[Ray], weight: f64, gram: &mut Gram, model: &Model) {
-        let root = weight.sqrt();
-        let (size, exponents) = (model.shape.size(), model.shape.exponents());
+        let shape = &model.shape;
         let origin = model.pose.model_from_world(&self.viewpoint);
         let turn = model.pose.rotation().inverse();
-        for ray in rays {
-            let line = Line { shape: &model.shape, origin, direction: turn * ray.direction };
-            if let Some(deepest) = line.deepest_point(ray.reach) {
-                let row = geometric_row(deepest.into(), &size, &exponents);
-                gram.add_row(root * row.distance, &row.gradient.map(|slope| root * slope));
-            }
-        }
-    }
-}
-
-/// A ray in a shape's frame.
-struct Line<'a> {
-    shape: &'a Superellipsoid,
-    origin: Vector3<f64>,
-    direction: Vector3<f64>,
-}
-
-impl Line<'_> {
-    fn at(&self, t: f64) -> Vector3<f64> {
-        self.origin + self.direction * t
-    }
-
-    /// The deepest point by the first-order geometric distance, if the solid has been entered and
-    /// is being left, or has been left, where the ray ends.
-    fn deepest_point(&self, reach: f64) -> Option<Vector3<f64>> {
-        const GOLDEN: f64 = 0.618_033_988_749_895;
-        let [mut low, mut high] = self.within_box(reach)?;
-        let is_entering = self.shape.gauge_gradient(&self.at(high)).dot(&self.direction) <= 0.0;
-        if is_entering && high == reach {
-            return None;
-        }
-        let distance = |t: f64| {
-            let x = self.at(t);
-            (self.shape.gauge(&x) - 1.0) / self.shape.gauge_gradient(&x).norm()
+        let blocked = |ray: &Ray| {
+            let line = Line::within_box(shape, origin, turn * ray.direction, ray.reach)?;
+            (!line.ends_entering(shape, ray.reach)).then_some(line)
         };
-        let (mut left, mut right) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
-        let (mut at_left, mut at_right) = (distance(left), distance(right));
-        for _ in 0..ROUNDS {
-            if at_left < at_right {
-                (high, right, at_right) = (right, left, at_left);
-                left = high - GOLDEN * (high - low);
-                at_left = distance(left);
-            } else {
-                (low, left, at_left) = (left, right, at_right);
-                right = low + GOLDEN * (high - low);
-                at_right = distance(right);
-            }
-        }
-        let (t, deepest) = if at_left < at_right { (left, at_left) } else { (right, at_right) };
-        (deepest < 0.0).then(|| self.at(t))
-    }
-
-    /// From where to where the ray is within the shape's box.
-    fn within_box(&self, reach: f64) -> Option<[f64; 2]> {
-        let (mut low, mut high) = (0.0_f64, reach);
-        for (k, side) in self.shape.size().into_iter().enumerate() {
-            if self.direction[k] == 0.0 {
-                if self.origin[k].abs() > side {
-                    return None;
-                }
-                continue;
-            }
-            let ends = [-side, side].map(|end| (end - self.origin[k]) / self.direction[k]);
-            low = low.max(ends[0].min(ends[1]));
-            high = high.min(ends[0].max(ends[1]));
-        }
-        (low < high).then_some([low, high])
+        let lines: Vec<Line> = rays.iter().filter_map(blocked).collect();
+        let view = ModelView::of_shape(shape);
+        let [x, y, z] = deepest_points(&view, &lines);
+        let roots = vec![weight.sqrt(); x.len()];
+        gram.add_evidence(&kernel::gram(&view, [&x, &y, &z], Some(&roots), false));
     }
 }
 
@@ -163,6 +100,7 @@ impl Line<'_> {
 mod tests {
     use super::*;
     use crate::pose::Pose;
+    use crate::shape::Superellipsoid;
 
     fn sphere(x: f64) -> Model {
         let shape = Superellipsoid::new([1.0; 3], [1.0; 2]).unwrap();

@@ -1,5 +1,6 @@
 //! What is known of a shape besides its points: rows of their own in the least-squares problem.
 
+mod deepest;
 mod facing;
 mod free_space;
 mod seen_area;

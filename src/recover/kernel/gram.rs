@@ -87,6 +87,14 @@ impl Gram {
         self.geometric_squares + self.evidence_squares
     }
 
+    /// Adds the Gram matrix of other rows that are evidence.
+    pub fn add_evidence(&mut self, other: &Self) {
+        let Self { radial_squares, geometric_squares, .. } = *self;
+        self.add(other);
+        self.evidence_squares += other.residual_squares();
+        (self.radial_squares, self.geometric_squares) = (radial_squares, geometric_squares);
+    }
+
     /// Adds a row that is evidence.
     pub fn add_row(&mut self, residual: f64, gradient: &[f64; PARAMETERS]) {
         self.matrix[0][0] += residual * residual;

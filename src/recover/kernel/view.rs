@@ -1,8 +1,10 @@
 //! Constants of one pass: how the points reach the model's frame, and the model's parameters.
 
 use crate::model::Model;
+use crate::pose::Pose;
 use crate::recover::normalization::Normalization;
 use crate::recover::options::Precision;
+use crate::shape::Superellipsoid;
 
 /// What is minimised, in normalised units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,6 +46,12 @@ impl ModelView {
             is_geometric: residual == Residual::Geometric,
             precision: Precision::Double,
         }
+    }
+
+    /// The view of a shape from points in its own frame, for the geometric distance.
+    pub fn of_shape(shape: &Superellipsoid) -> Self {
+        let model = Model { shape: *shape, pose: Pose::identity() };
+        Self::new(&Normalization::identity(), &model, Residual::Geometric)
     }
 
     /// The same, rows being evaluated in the given precision.
