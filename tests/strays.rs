@@ -112,6 +112,16 @@ fn views_of_one_side_among_strays() {
     }
 }
 
+/// Strays on the side that is not seen do not tell where it is.
+#[test]
+fn noisy_views_of_one_side_among_strays() {
+    assert_recovered_from_one_side(75, 0.945, |scene, truth| {
+        let points = scene.uniform(1_000.0, 3_000.0) as usize;
+        let (points, camera) = one_sided_view_from(scene, truth, points, 0.05);
+        (with_strays(scene, truth, points, 0.2), camera)
+    });
+}
+
 /// What is said of the points themselves: the share, the noise, and which they are.
 #[test]
 fn strays_are_named() {

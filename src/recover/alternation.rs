@@ -112,8 +112,12 @@ pub(crate) fn finish(points: &PointSet, fit: MixtureFit) -> Option<MixtureFit> {
 }
 
 /// A fit without the ends that strays alone make out, and without their points, in a few rounds.
-/// None if the fit is interrupted.
-pub(crate) fn without_ends_of_strays(points: &PointSet, mut fit: MixtureFit) -> Option<MixtureFit> {
+/// `odds` are what else is known of each point. None if the fit is interrupted.
+pub(crate) fn without_ends_of_strays(
+    points: &PointSet,
+    odds: Option<&[f64]>,
+    mut fit: MixtureFit,
+) -> Option<MixtureFit> {
     let left = |fit: &MixtureFit| {
         let deviation = fit.mixture.variance.sqrt();
         without_ends_by_chance(points, &fit.descent.model, deviation, &fit.weights)
@@ -123,7 +127,7 @@ pub(crate) fn without_ends_of_strays(points: &PointSet, mut fit: MixtureFit) -> 
         let Some(weights) = &kept else { break };
         let descent = descend_weighted(points, weights, &fit.descent.model, &STEP)?;
         let squares = points.geometric_squares(&descent.model);
-        let weights = fit.mixture.expect(&squares, None).weights;
+        let weights = fit.mixture.expect(&squares, odds).weights;
         let passes = fit.passes + descent.passes + 1;
         fit = MixtureFit { descent, weights, passes, ..fit };
         kept = left(&fit);

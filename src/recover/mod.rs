@@ -22,6 +22,7 @@ mod kernel;
 mod mixture;
 mod neighbours;
 mod normalization;
+mod one_side;
 mod options;
 mod plane;
 mod radial;

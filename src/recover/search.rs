@@ -206,7 +206,7 @@ fn is_open(points: &PointSet, best: &Descent) -> bool {
 }
 
 /// Whether noise and what is not seen leave the best minimum in doubt.
-fn is_half_seen(points: &PointSet, best: &Descent) -> bool {
+pub(crate) fn is_half_seen(points: &PointSet, best: &Descent) -> bool {
     let unseen = points
         .evidence
         .seen_area

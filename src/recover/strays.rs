@@ -11,8 +11,9 @@ use super::descent::{Descent, Effort, PointSet};
 use super::kernel::Residual;
 use super::mixture::{Mixture, Room};
 use super::normalization::Moments;
+use super::one_side::Sided;
 use super::radial::PARAMETERS;
-use super::search::{BRIEF, Search, is_misfit, is_same_minimum};
+use super::search::{BRIEF, Search, is_half_seen, is_misfit, is_same_minimum};
 use super::subset::Subset;
 use super::survey::Survey;
 use crate::model::Model;
@@ -77,21 +78,27 @@ pub(crate) fn fit_among_clutter(
     let core = Subset::of(sample.points, &clutter.surface());
     let mut search = CoreSearch { sample: &sample, seed, passes: 0, starts: 0 };
     let start = Mixture { variance: 1.0, stray_share: clutter.share, room: survey.room };
-    let mut settled = Vec::new();
+    let mut fits = Vec::new();
     for fit in search.screen(&core, start) {
         let mixture = Mixture { stray_share: clutter.share, ..fit.mixture };
-        settled.extend(search.settle(&fit.descent.model, mixture, odds));
+        fits.extend(search.settle(&fit.descent.model, mixture, odds));
     }
-    let mut best = settled.into_iter().reduce(MixtureFit::more_likely)?;
+    let best = most_likely(&fits)?;
     let (mixture, surface) = (best.mixture, Subset::of(sample.points, &best.surface()));
     for model in search.other_minima(&surface, &best.descent.model) {
-        let other = search.settle(&model, mixture, odds);
-        best = other.into_iter().fold(best, MixtureFit::more_likely);
+        fits.extend(search.settle(&model, mixture, odds));
     }
-    let best = search.concentrate(best);
-    let on_all = alternate(&all, None, &best.descent.model, best.mixture, ON_ALL)?;
-    let fit = finish(&all, without_ends_of_strays(&all, on_all)?)?;
+    let Sided { fit, side } = search.look_from_one_side(fits, &clutter.odds)?;
+    let best = Sided { fit: search.concentrate(fit), side };
+    let odds = best.odds(&all);
+    let Sided { fit: MixtureFit { descent, mixture, .. }, .. } = best;
+    let on_all = alternate(&all, odds.as_deref(), &descent.model, mixture, ON_ALL)?;
+    let fit = finish(&all, without_ends_of_strays(&all, odds.as_deref(), on_all)?)?;
     Some(Recovery { passes: search.passes + fit.passes, starts: search.starts, fit })
+}
+
+fn most_likely(fits: &[MixtureFit]) -> Option<&MixtureFit> {
+    fits.iter().max_by(|a, b| a.log_likelihood.total_cmp(&b.log_likelihood))
 }
 
 /// Outliers that neighbours do not show, set apart from a fit to all points; then, as they may have
@@ -123,7 +130,7 @@ pub(crate) fn set_outliers_apart(
         best = other.into_iter().fold(best, MixtureFit::more_likely);
     }
     let on_all = alternate(all, None, &best.descent.model, best.mixture, ON_ALL)?;
-    let fit = finish(all, without_ends_of_strays(all, on_all)?)?;
+    let fit = finish(all, without_ends_of_strays(all, None, on_all)?)?;
     Some(Recovery { passes: search.passes + fit.passes, starts: search.starts, fit })
 }
 
@@ -161,6 +168,22 @@ impl CoreSearch<'_> {
         let fit = alternate(self.sample, odds, model, start, ON_SAMPLE)?;
         self.passes += fit.passes;
         Some(fit)
+    }
+
+    /// The best of the fits; where noise and what is not seen leave it in doubt, as fits of what was
+    /// seen from one side.
+    fn look_from_one_side(&mut self, fits: Vec<MixtureFit>, odds: &[f64]) -> Option<Sided> {
+        let best = most_likely(&fits)?;
+        if !is_half_seen(self.sample, &best.descent) {
+            return Some(Sided::unknown(best.clone()));
+        }
+        let mut settled = Vec::new();
+        for fit in fits {
+            let sided = Sided::settled(self.sample, odds, fit, ON_SAMPLE);
+            self.passes += sided.as_ref().map_or(0, |sided| sided.fit.passes);
+            settled.extend(sided);
+        }
+        settled.into_iter().reduce(Sided::more_likely)
     }
 
     /// A mixture, or where its own points misfit, that around the half of all points that fits best,

@@ -42,9 +42,9 @@ pub(crate) struct Facing(Vec<Seen>);
 
 /// A point, and the unit vector from it towards the sensor.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Seen {
-    point: Vector3<f64>,
-    to_sensor: Vector3<f64>,
+pub(super) struct Seen {
+    pub point: Vector3<f64>,
+    pub to_sensor: Vector3<f64>,
 }
 
 impl Facing {
@@ -65,17 +65,9 @@ impl Facing {
     /// Of points all of which were seen from far off in one direction, if around a model most of them
     /// face one: that from which they are turned away the least.
     pub fn one_side(model: &Model, points: &PointSet) -> Option<Self> {
-        let points: Vec<Vector3<f64>> = sample(points.points, points.normalization).collect();
-        let normal = |x: &Vector3<f64>| {
-            let gradient = model.shape.gauge_gradient(&model.pose.model_from_world(x));
-            model.pose.rotation() * gradient.normalize()
-        };
-        let normals: Vec<Vector3<f64>> = points.iter().map(normal).collect();
-        let to_sensor = direction_faced(&normals)?;
-        let away = normals.iter().filter(|normal| normal.dot(&to_sensor) < 0.0).count();
-        let is_one_side = (away as f64) < MOST_AWAY * points.len() as f64;
+        let to_sensor = direction_faced_around(model, points)?;
         let seen = |point| Seen { point, to_sensor };
-        is_one_side.then(|| Self(points.into_iter().map(seen).collect()))
+        Some(Self(sample(points.points, points.normalization).map(seen).collect()))
     }
 
     /// In the coordinates of another normalisation of the same cloud.
@@ -107,6 +99,19 @@ fn sample(
     (0..few.columns()[0].len()).map(move |i| few.columns().map(|column| column[i]).into())
 }
 
+/// The direction from which points around a model are turned away the least, if most of them face it.
+pub(super) fn direction_faced_around(model: &Model, points: &PointSet) -> Option<Vector3<f64>> {
+    let normal = |x: Vector3<f64>| {
+        let gradient = model.shape.gauge_gradient(&model.pose.model_from_world(&x));
+        model.pose.rotation() * gradient.normalize()
+    };
+    let normals: Vec<Vector3<f64>> =
+        sample(points.points, points.normalization).map(normal).collect();
+    let to_sensor = direction_faced(&normals)?;
+    let away = normals.iter().filter(|normal| normal.dot(&to_sensor) < 0.0).count();
+    ((away as f64) < MOST_AWAY * normals.len() as f64).then_some(to_sensor)
+}
+
 /// The direction from which normals are turned away the least, by the sum of their cosines: steps
 /// along the sum of those that are.
 fn direction_faced(normals: &[Vector3<f64>]) -> Option<Vector3<f64>> {
@@ -129,6 +134,26 @@ impl Seen {
     /// How far beyond the rim of a model the point is, less one deviation of the noise, and its
     /// derivatives by the local parameters while the slope of the cosine stays. None on this side.
     fn beyond_rim(&self, model: &Model, deviation: f64) -> Option<(f64, [f64; PARAMETERS])> {
+        let away = self.still_away(model, deviation)?;
+        let by_cosine = away.gradient(model);
+        let slope = away.slope(&by_cosine);
+        let distance = -away.cosine / slope;
+        // Saturates as d / (1 + (d / most)^2)^(1/2).
+        let saturation = 1.0 + (distance / (MOST_DEVIATIONS * deviation)).powi(2);
+        let of_cosine = -1.0 / (slope * saturation * saturation.sqrt());
+        Some((distance / saturation.sqrt(), by_cosine.map(|by| of_cosine * by)))
+    }
+
+    /// How far beyond the rim of a model the point is, less one deviation of the noise, to first order,
+    /// and the cosine there, which is negative. None on this side.
+    pub(super) fn away(&self, model: &Model, deviation: f64) -> Option<(f64, f64)> {
+        let away = self.still_away(model, deviation)?;
+        Some((-away.cosine / away.slope(&away.gradient(model)), away.cosine))
+    }
+
+    /// The point moved by one deviation along the surface towards the sensor, if it and the place where
+    /// it is then are turned away.
+    fn still_away(&self, model: &Model, deviation: f64) -> Option<Turned> {
         let x = model.pose.model_from_world(&self.point);
         let to_sensor = model.pose.rotation().inverse() * self.to_sensor;
         let here = Turned::at(x, model, to_sensor);
@@ -137,16 +162,7 @@ impl Seen {
         }
         let along_surface = (to_sensor - here.cosine * here.normal).try_normalize(0.0)?;
         let moved = Turned::at(x + deviation * along_surface, model, to_sensor);
-        if moved.cosine >= 0.0 {
-            return None;
-        }
-        let by_cosine = moved.gradient(model);
-        let slope = Vector3::from_column_slice(&by_cosine[8..]).norm() - moved.cosine;
-        let distance = -moved.cosine / slope;
-        // Saturates as d / (1 + (d / most)^2)^(1/2).
-        let saturation = 1.0 + (distance / (MOST_DEVIATIONS * deviation)).powi(2);
-        let of_cosine = -1.0 / (slope * saturation * saturation.sqrt());
-        Some((distance / saturation.sqrt(), by_cosine.map(|by| of_cosine * by)))
+        (moved.cosine < 0.0).then_some(moved)
     }
 }
 
@@ -165,6 +181,11 @@ impl Turned {
         let terms = GaugeTerms::at(x.into(), &model.shape.size(), &model.shape.exponents());
         let normal = Vector3::from_fn(|i, _| terms.weights[i] / x[i]).normalize();
         Self { x, terms, normal, to_sensor, cosine: normal.dot(&to_sensor) }
+    }
+
+    /// Change of the cosine on the way to the rim, by length.
+    fn slope(&self, by_cosine: &[f64; PARAMETERS]) -> f64 {
+        Vector3::from_column_slice(&by_cosine[8..]).norm() - self.cosine
     }
 
     /// Derivatives of the cosine by the local parameters: `d c = sum w_i d ln |n_i| + n . d v`, with

@@ -55,6 +55,11 @@ impl FreeSpace {
         }
     }
 
+    /// Where the sensor stood.
+    pub fn viewpoint(&self) -> Vector3<f64> {
+        self.viewpoint
+    }
+
     /// In the coordinates of another normalisation of the same cloud.
     pub fn renormalized(&self, from: &Normalization, to: &Normalization) -> Self {
         let ratio = from.radius * to.inverse_radius;

@@ -4,11 +4,13 @@ mod deepest;
 mod facing;
 mod free_space;
 mod seen_area;
+mod side;
 mod support;
 
 pub(crate) use facing::Facing;
 pub(crate) use free_space::FreeSpace;
 pub(crate) use seen_area::SeenArea;
+pub(crate) use side::Side;
 pub(crate) use support::Support;
 
 use super::kernel::Gram;
