@@ -2,7 +2,7 @@
 //! switches from the best of them, then the best few on more points.
 
 use super::descent::{Descent, Effort, PointSet, descend_beside};
-use super::evidence::{Evidence, Facing};
+use super::evidence::{Evidence, Facing, SeenArea};
 use super::kernel::Residual;
 use super::normalization::Moments;
 use super::start::{ambiguous_starts, principal_starts};
@@ -128,7 +128,7 @@ impl Search {
         effort: &Effort,
         finalists: usize,
     ) -> Option<Evidence> {
-        let best = self.candidates.first().filter(|best| is_half_seen(points, best))?;
+        let best = self.candidates.first().filter(|best| is_depth_in_doubt(points, best))?;
         let is_unknown = points.evidence.facing.is_none();
         let facing = is_unknown.then(|| Facing::one_side(&best.model, points))??;
         let evidence = Evidence { facing: Some(facing), ..points.evidence.clone() };
@@ -202,16 +202,23 @@ fn is_open(points: &PointSet, best: &Descent) -> bool {
     if points.residual == Residual::Radial {
         return false;
     }
-    is_half_seen(points, best) || is_misfit(points, &best.model)
+    is_depth_in_doubt(points, best) || is_misfit(points, &best.model)
 }
 
 /// Whether noise and what is not seen leave the best minimum in doubt.
+fn is_depth_in_doubt(points: &PointSet, best: &Descent) -> bool {
+    is_noisy(best) && is_half_seen(points, best)
+}
+
+/// Whether noise may hide what decides among minima.
+pub(crate) fn is_noisy(best: &Descent) -> bool {
+    best.geometric_mean_square.sqrt() > NOISY
+}
+
+/// Whether a model has much more area than is seen.
 pub(crate) fn is_half_seen(points: &PointSet, best: &Descent) -> bool {
-    let unseen = points
-        .evidence
-        .seen_area
-        .is_some_and(|seen| seen.ratio(&best.model.shape, best.geometric_mean_square) > HALF_SEEN);
-    unseen && best.geometric_mean_square.sqrt() > NOISY
+    let ratio = |seen: SeenArea| seen.ratio(&best.model.shape, best.geometric_mean_square);
+    points.evidence.seen_area.is_some_and(|seen| ratio(seen) > HALF_SEEN)
 }
 
 /// Whether the distances of neighbours from a model err together.

@@ -13,7 +13,7 @@ use super::mixture::{Mixture, Room};
 use super::normalization::Moments;
 use super::one_side::Sided;
 use super::radial::PARAMETERS;
-use super::search::{BRIEF, Search, is_half_seen, is_misfit, is_same_minimum};
+use super::search::{BRIEF, Search, is_half_seen, is_misfit, is_noisy, is_same_minimum};
 use super::subset::Subset;
 use super::survey::Survey;
 use crate::model::Model;
@@ -170,13 +170,15 @@ impl CoreSearch<'_> {
         Some(fit)
     }
 
-    /// The best of the fits; where noise and what is not seen leave it in doubt, as fits of what was
-    /// seen from one side.
+    /// The best of the fits; where one side is all that is seen, as a fit to what was seen from there,
+    /// and if noise may hide which is the best, the best of all settled so.
     fn look_from_one_side(&mut self, fits: Vec<MixtureFit>, odds: &[f64]) -> Option<Sided> {
         let best = most_likely(&fits)?;
+        let best = best.clone();
         if !is_half_seen(self.sample, &best.descent) {
-            return Some(Sided::unknown(best.clone()));
+            return Some(Sided::unknown(best));
         }
+        let fits = if is_noisy(&best.descent) { fits } else { vec![best] };
         let mut settled = Vec::new();
         for fit in fits {
             let sided = Sided::settled(self.sample, odds, fit, ON_SAMPLE);
