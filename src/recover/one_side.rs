@@ -4,6 +4,7 @@ use super::alternation::{MixtureFit, Schedule, alternate};
 use super::descent::PointSet;
 use super::evidence::Side;
 use super::subset::Subset;
+use crate::model::Model;
 
 /// A fit, and the side that its surface was seen from, if the points face one.
 pub(crate) struct Sided {
@@ -17,22 +18,23 @@ impl Sided {
         Self { fit, side: None }
     }
 
-    /// Settles a fit anew, as one of what was seen from the side that its own surface faces. `odds` are
-    /// what neighbours say of each point.
+    /// Settles a fit anew from a model, as one of what was seen from the side that its surface faces
+    /// around that model. `odds` are what neighbours say of each point.
     pub fn settled(
         points: &PointSet,
         odds: &[f64],
-        fit: MixtureFit,
+        fit: &MixtureFit,
+        start: &Model,
         schedule: Schedule,
     ) -> Option<Self> {
         let surface = Subset::of(points.points, &fit.surface());
         let surface = PointSet { points: surface.columns(), ..*points };
-        let Some(side) = Side::of(&surface, &fit.descent.model) else {
-            return Some(Self::unknown(fit));
+        let Some(side) = Side::of(&surface, start) else {
+            return Some(Self::unknown(fit.clone()));
         };
-        let mut both = odds_of(&side, points, &fit);
+        let mut both = side.odds(points, start, fit.mixture.variance.sqrt());
         both.iter_mut().zip(odds).for_each(|(both, odds)| *both *= odds);
-        let fit = alternate(points, Some(&both), &fit.descent.model, fit.mixture, schedule)?;
+        let fit = alternate(points, Some(&both), start, fit.mixture, schedule)?;
         Some(Self { fit, side: Some(side) })
     }
 
@@ -43,10 +45,7 @@ impl Sided {
 
     /// What the side says of each point; none where it is not known.
     pub fn odds(&self, points: &PointSet) -> Option<Vec<f64>> {
-        self.side.map(|side| odds_of(&side, points, &self.fit))
+        let MixtureFit { descent, mixture, .. } = &self.fit;
+        self.side.map(|side| side.odds(points, &descent.model, mixture.variance.sqrt()))
     }
-}
-
-fn odds_of(side: &Side, points: &PointSet, fit: &MixtureFit) -> Vec<f64> {
-    side.odds(points, &fit.descent.model, fit.mixture.variance.sqrt())
 }

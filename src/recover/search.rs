@@ -207,12 +207,12 @@ fn is_open(points: &PointSet, best: &Descent) -> bool {
 
 /// Whether noise and what is not seen leave the best minimum in doubt.
 fn is_depth_in_doubt(points: &PointSet, best: &Descent) -> bool {
-    is_noisy(best) && is_half_seen(points, best)
+    is_noisy(best.geometric_mean_square.sqrt()) && is_half_seen(points, best)
 }
 
-/// Whether noise may hide what decides among minima.
-pub(crate) fn is_noisy(best: &Descent) -> bool {
-    best.geometric_mean_square.sqrt() > NOISY
+/// Whether noise of that deviation may hide what decides among minima.
+pub(crate) fn is_noisy(deviation: f64) -> bool {
+    deviation > NOISY
 }
 
 /// Whether a model has much more area than is seen.

@@ -1,6 +1,8 @@
 //! Recovery among strays: a search on the points that neighbours hold for the surface's, then the
 //! mixture of surface and strays from the best of what it finds.
 
+use std::slice;
+
 use super::alternation::{
     MixtureFit, Schedule, alternate, finish, variance_of_least, variance_of_nearest,
     without_ends_of_strays,
@@ -16,6 +18,7 @@ use super::radial::PARAMETERS;
 use super::search::{BRIEF, Search, is_half_seen, is_misfit, is_noisy, is_same_minimum};
 use super::subset::Subset;
 use super::survey::Survey;
+use super::switches::deflated;
 use crate::model::Model;
 
 /// Points on which searches start, on which their minima are told apart, and on which mixtures are
@@ -88,7 +91,7 @@ pub(crate) fn fit_among_clutter(
     for model in search.other_minima(&surface, &best.descent.model) {
         fits.extend(search.settle(&model, mixture, odds));
     }
-    let Sided { fit, side } = search.look_from_one_side(fits, &clutter.odds)?;
+    let Sided { fit, side } = search.look_from_one_side(&fits, &clutter.odds)?;
     let best = Sided { fit: search.concentrate(fit), side };
     let odds = best.odds(&all);
     let Sided { fit: MixtureFit { descent, mixture, .. }, .. } = best;
@@ -171,17 +174,20 @@ impl CoreSearch<'_> {
     }
 
     /// The best of the fits; where one side is all that is seen, as a fit to what was seen from there,
-    /// and if noise may hide which is the best, the best of all settled so.
-    fn look_from_one_side(&mut self, fits: Vec<MixtureFit>, odds: &[f64]) -> Option<Sided> {
-        let best = most_likely(&fits)?;
-        let best = best.clone();
+    /// settled from its model and a smaller one: strays in the shade have drawn many a fit too far. If
+    /// noise may hide which is the best, the best of all settled so.
+    fn look_from_one_side(&mut self, fits: &[MixtureFit], odds: &[f64]) -> Option<Sided> {
+        let best = most_likely(fits)?;
         if !is_half_seen(self.sample, &best.descent) {
-            return Some(Sided::unknown(best));
+            return Some(Sided::unknown(best.clone()));
         }
-        let fits = if is_noisy(&best.descent) { fits } else { vec![best] };
+        let fits =
+            if is_noisy(best.mixture.variance.sqrt()) { fits } else { slice::from_ref(best) };
+        let starts = fits.iter().map(|fit| (fit, fit.descent.model));
+        let smaller = deflated(&best.descent.model).map(|model| (best, model));
         let mut settled = Vec::new();
-        for fit in fits {
-            let sided = Sided::settled(self.sample, odds, fit, ON_SAMPLE);
+        for (fit, start) in starts.chain(smaller) {
+            let sided = Sided::settled(self.sample, odds, fit, &start, ON_SAMPLE);
             self.passes += sided.as_ref().map_or(0, |sided| sided.fit.passes);
             settled.extend(sided);
         }

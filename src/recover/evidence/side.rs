@@ -10,14 +10,17 @@ use nalgebra::Vector3;
 use super::facing::{Seen, direction_faced_around};
 use crate::model::Model;
 use crate::recover::descent::PointSet;
+use crate::recover::search::is_noisy;
 use crate::recover::subset::Subset;
 
 /// Error of the cosine between normal and direction: the direction is an estimate, and on a flat
 /// side one cosine holds for all.
 const COSINE_ERROR: f64 = 0.1;
 
-/// Least odds, since no model is trusted to know its shade that well.
-const LEAST_ODDS: f64 = 0.03;
+/// Least odds: where noise leaves the minimum in doubt, models are not trusted to know their shade
+/// that well.
+const LEAST_ODDS: f64 = 1e-6;
+const LEAST_ODDS_IN_DOUBT: f64 = 0.03;
 
 /// Where the sensor was, in normalised coordinates.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,13 +45,14 @@ impl Side {
     /// that of a place which faces the sensor: `exp(-z^2/2)`, where `1/z^2` is the sum of
     /// `(deviation / distance)^2` beyond the rim and of `(error / cosine)^2`.
     pub fn odds(&self, points: &PointSet, model: &Model, deviation: f64) -> Vec<f64> {
+        let least = if is_noisy(deviation) { LEAST_ODDS_IN_DOUBT } else { LEAST_ODDS };
         let normalized = Subset::normalized(points.points, points.normalization);
         let [xs, ys, zs] = normalized.columns();
         let odds = |((x, y), z): ((&f64, &f64), &f64)| {
             let seen = self.seen(Vector3::new(*x, *y, *z));
             let Some((distance, cosine)) = seen.away(model, deviation) else { return 1.0 };
             let inverse = (deviation / distance).powi(2) + (COSINE_ERROR / cosine).powi(2);
-            (-0.5 / inverse).exp().max(LEAST_ODDS)
+            (-0.5 / inverse).exp().max(least)
         };
         xs.iter().zip(ys).zip(zs).map(odds).collect()
     }
@@ -104,8 +108,9 @@ mod tests {
         let heights = [0.9, 0.01, -0.9 * DEVIATION, -0.1, -0.15, -0.9];
         let odds = of_sphere(Side::Direction(Vector3::z()), &heights);
         assert_eq!(odds[..3], [1.0; 3]);
-        assert!(odds[3] < 0.8 && odds[3] > odds[4] && odds[4] > LEAST_ODDS, "{odds:?}");
-        assert_eq!(odds[5], LEAST_ODDS);
+        assert!(odds[3] < 0.8 && odds[3] > odds[4], "{odds:?}");
+        assert!(odds[4] > LEAST_ODDS_IN_DOUBT, "{odds:?}");
+        assert_eq!(odds[5], LEAST_ODDS_IN_DOUBT);
     }
 
     #[test]
@@ -125,7 +130,7 @@ mod tests {
             odds(Side::Direction(to_sensor), &cube, &[[1.0, 0.2, -0.3]])[0]
         };
         assert!(sides(0.03) > 0.9, "{}", sides(0.03));
-        assert_eq!(sides(0.5), LEAST_ODDS);
+        assert_eq!(sides(0.5), LEAST_ODDS_IN_DOUBT);
     }
 
     #[test]
