@@ -11,7 +11,7 @@ use superquadric::recover::{Distance, Fit, FitOptions, Precision, fit};
 
 const SAMPLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/samples/one_sided_view.ply");
 
-/// Share of a standard error by which parameters may differ.
+/// Share of a standard error by which parameters may differ, and of what the overlap lacks to one.
 const SHARE: f64 = 0.05;
 
 const CLOUDS: u64 = 50;
@@ -46,7 +46,8 @@ fn assert_nothing_is_lost(cloud: impl Fn(&mut Scene, &Model) -> Vec<[f64; 3]>) {
         let fits = fits(&cloud(&mut scene, &truth));
         assert_within_a_share_of_the_standard_errors(&fits);
         let overlaps = [0, 1].map(|k| iou(&fits[k].model, &truth));
-        assert!((overlaps[0] - overlaps[1]).abs() < 1e-3, "cloud {seed}: {overlaps:?}");
+        let bound = f64::max(1e-3, SHARE * (1.0 - overlaps[1]));
+        assert!((overlaps[0] - overlaps[1]).abs() < bound, "cloud {seed}: {overlaps:?}");
         assert_eq!(fits[0].is_trusted(), fits[1].is_trusted(), "cloud {seed}");
     }
 }

@@ -39,10 +39,12 @@ const MEDIUM: Effort = Effort { tolerance: 1e-4, patience: 2, step_bound: 1.0 };
 /// Share of strays held while screening: left free, it runs away from a rough start.
 const SCREENING_SHARE: f64 = 0.25;
 
-/// Rounds of a screening, on the sample, and on all points, where they start next to their end.
+/// Rounds of a screening, on the sample, and on all points, where they start next to their end: there
+/// the mixture is not to run ahead of the model, or what belongs to the object but is no superellipsoid,
+/// such as the rims of a can's lids, goes with the strays.
 const SCREENING: Schedule = Schedule { rounds: 8, is_share_free: false, mixture_rounds: 0 };
 const ON_SAMPLE: Schedule = Schedule { rounds: 30, is_share_free: true, mixture_rounds: 3 };
-const ON_ALL: Schedule = Schedule { rounds: 8, is_share_free: true, mixture_rounds: 3 };
+const ON_ALL: Schedule = Schedule { rounds: 8, is_share_free: true, mixture_rounds: 0 };
 
 /// Gain in mean log-likelihood from which on outliers are set apart where neighbours show none,
 /// and the share of them to begin with.
