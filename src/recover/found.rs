@@ -13,9 +13,9 @@ use crate::cloud::PointColumns;
 /// Points that the coarse descents look at.
 const COARSE_POINTS: usize = 256;
 
-/// Points of the stages between the coarse search and all points: on the first the best few
-/// minima are told apart, the next brings the best near the minimum of all.
-const STAGES: [usize; 2] = [2_500, 50_000];
+/// Points of the stage after the coarse search, on which the best few minima are told apart. The next,
+/// which brings the best near the minimum of all, has as many times more points as all have than it.
+const FIRST_STAGE: usize = 2_500;
 
 /// How many times a stage's points a cloud must have for the stage to save work.
 const WORTH_A_STAGE: usize = 3;
@@ -147,7 +147,7 @@ fn search(all: &PointSet, moments: &Moments, seed: u64) -> Search {
         search.refine(&few, &BRIEF, SWITCHED_FINALISTS);
     }
     let (mut finalists, mut evidence) = (FINALISTS, None);
-    for count in STAGES {
+    for count in [FIRST_STAGE, (FIRST_STAGE * all.len()).isqrt()] {
         if all.len() >= WORTH_A_STAGE * count {
             let some = Subset::stratified(all.points, count, seed);
             let some = PointSet { points: some.columns(), parallel: false, ..*all };
