@@ -1,7 +1,7 @@
 """Makes docs/profile.md: what the time of a fit is spent on, by `perf`, one thread.
 
 Usage: python3 benches/profile.py   (Linux; needs `perf`; builds the benchmark `fit` by itself, in
-target/profile, with frame pointers and line tables)
+target/profile, with frame pointers, and without the link-time optimisation that would merge stages)
 """
 
 import collections
@@ -27,7 +27,7 @@ CLOUDS = {
 }
 FIT = "recover::fit::"
 
-# The first of these that is in a sample's stack, from the caller down to the callee.
+# Patterns of functions; whichever of these comes first counts.
 STAGES = {
     "survey: neighbours, clutter, area": "survey::Survey::of",
     "strays: the mixture, settled and searched again": "strays::fit_among_clutter",
@@ -38,10 +38,10 @@ STAGES = {
     "moments and the rest": FIT,
 }
 
-# The first of these that is in a sample's stack, from the callee up to the caller.
+# The same; whichever the innermost function has counts.
 WORKS = {
-    "passes: rows and their products": "passes::GramOf|kernel::gram",
-    "distances without derivatives": "passes::DistancesOf|geometric_distances",
+    "passes: rows and their products": "recover::kernel::gram",
+    "distances without derivatives": "geometric_distances",
     "optimiser: factors, steps, charts": "levenberg_marquardt::|recover::compressed|recover::chart",
     "neighbours": "recover::neighbours",
     "mixture: densities and weights": "recover::mixture|recover::alternation",
@@ -64,12 +64,15 @@ Made on {date} by `python3 benches/profile.py` on {cpu}: shares of the samples t
 
 def build() -> Path:
     """Builds the benchmark and tells where it is."""
-    flags = "-C force-frame-pointers=yes"
-    names = {"RUSTFLAGS": flags, "CARGO_PROFILE_BENCH_DEBUG": "line-tables-only"}
+    variables = {
+        "RUSTFLAGS": "-C force-frame-pointers=yes",
+        "CARGO_PROFILE_BENCH_LTO": "false",
+        "CARGO_PROFILE_BENCH_CODEGEN_UNITS": "16",
+    }
     command = ["cargo", "bench", "--bench", "fit", "--no-run", "--message-format=json"]
     command += ["--target-dir", "target/profile"]
     run = subprocess.run(
-        command, cwd=ROOT, env={**os.environ, **names}, check=True, stdout=subprocess.PIPE
+        command, cwd=ROOT, env={**os.environ, **variables}, check=True, stdout=subprocess.PIPE
     )
     messages = map(json.loads, run.stdout.splitlines())
     binaries = [m["executable"] for m in messages if m.get("target", {}).get("name") == "fit"]
@@ -89,18 +92,25 @@ def stacks(binary: Path, name: str) -> list[list[str]]:
     return [sample for sample in samples if any(FIT in frame for frame in sample)]
 
 
-def shares(
-    samples: list[list[str]], classes: dict[str, str], *, is_outermost_first: bool
-) -> list[float]:
+def stage_of(sample: list[str]) -> str:
+    """The first of the stages that is anywhere in a sample's stack."""
+    return next(
+        name
+        for name, pattern in STAGES.items()
+        if any(re.search(pattern, frame) for frame in sample)
+    )
+
+
+def work_of(sample: list[str]) -> str:
+    """The work of the innermost frame in a sample's stack that tells it."""
+    return next(
+        name for frame in sample for name, pattern in WORKS.items() if re.search(pattern, frame)
+    )
+
+
+def shares(of: collections.Counter, classes: dict[str, str]) -> list[float]:
     """The share of the samples in each class, in per cent."""
-    specific = {name: pattern for name, pattern in classes.items() if pattern != FIT}
-    rest = next(name for name, pattern in classes.items() if pattern == FIT)
-    counts = collections.Counter()
-    for sample in samples:
-        frames = reversed(sample) if is_outermost_first else sample
-        found = (n for frame in frames for n, p in specific.items() if re.search(p, frame))
-        counts[next(found, rest)] += 1
-    return [100 * counts[name] / len(samples) for name in classes]
+    return [100 * of[name] / of.total() for name in classes]
 
 
 def table(columns: dict[str, list[float]], rows: list[str]) -> str:
@@ -119,8 +129,9 @@ def cpu() -> str:
 def main() -> None:
     binary = build()
     samples = {name: stacks(binary, bench) for name, bench in CLOUDS.items()}
-    stages = {name: shares(of, STAGES, is_outermost_first=True) for name, of in samples.items()}
-    works = {name: shares(of, WORKS, is_outermost_first=False) for name, of in samples.items()}
+    count = collections.Counter
+    stages = {name: shares(count(map(stage_of, of)), STAGES) for name, of in samples.items()}
+    works = {name: shares(count(map(work_of, of)), WORKS) for name, of in samples.items()}
     page = TEXT.format(
         date=datetime.date.today().isoformat(),
         cpu=cpu(),

@@ -51,6 +51,8 @@ descended from, by `geometric` also in a second look. Recovered: IoU of at least
 {strays} points in all, uniform in a box of twice the shape's sides.
 
 {among_strays}
+What the time goes into: [profile.md](profile.md).
+
 ## Instruction sets
 
 `geometric`, 100,000 points, by `SUPERQUADRIC_SIMD`.
