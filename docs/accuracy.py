@@ -30,7 +30,7 @@ QUARTILES = [0, 0.25, 0.5, 0.75, 1]
 PAGE = """# How well shapes are recovered
 
 {made}, from the suites of
-[data_synth](../data_synth/README.md): the first {scenes} scenes of each level, known truth, seed 0.
+[data_synth](../data_synth/README.md): at most {scenes} scenes of each level, known truth, seed 0.
 
 - Success: share of the scenes whose volume overlap (IoU) with the truth is at least 0.9.
 - Surface distance: symmetric mean distance of the two surfaces over the true mean semi-axis. It
