@@ -66,6 +66,16 @@ fn noisy_points(rng: &mut ChaCha8Rng) -> Vec<Vector3<f64>> {
     points
 }
 
+fn columns(points: &[Vector3<f64>]) -> [Vec<f64>; 3] {
+    std::array::from_fn(|k| points.iter().map(|point| point[k]).collect())
+}
+
+/// The Gram matrix of all rows of a model.
+fn gram_of(columns: &[Vec<f64>; 3], model: &Model) -> Option<Gram> {
+    let view = ModelView::new(&Normalization::identity(), model, Residual::Radial);
+    Some(gram(&view, [&columns[0], &columns[1], &columns[2]], None, false))
+}
+
 fn start() -> Model {
     Model {
         shape: Superellipsoid::new([1.2, 0.8, 1.0], [1.0, 1.0]).unwrap(),
@@ -79,14 +89,8 @@ fn start() -> Model {
 #[test]
 fn takes_the_same_steps_as_the_problem_of_all_rows() {
     let points = noisy_points(&mut ChaCha8Rng::seed_from_u64(1));
-    let columns: [Vec<f64>; 3] =
-        std::array::from_fn(|k| points.iter().map(|point| point[k]).collect());
-    let normalization = Normalization::identity();
-    let rows = |model: &Model| {
-        let view = ModelView::new(&normalization, model, Residual::Radial);
-        let points = [&columns[0][..], &columns[1], &columns[2]];
-        Some(gram(&view, points, None, false))
-    };
+    let columns = columns(&points);
+    let rows = |model: &Model| gram_of(&columns, model);
     let (chart, coordinates) = Chart::around(&start(), &NormalizedConstraints::NONE);
     let full = FullProblem { chart, coordinates, points };
     let optimiser =
@@ -112,14 +116,8 @@ fn takes_the_same_steps_as_the_problem_of_all_rows() {
 
 #[test]
 fn a_problem_behind_a_rival_is_given_up_and_one_that_will_pass_it_is_not() {
-    let points = noisy_points(&mut ChaCha8Rng::seed_from_u64(1));
-    let columns: [Vec<f64>; 3] =
-        std::array::from_fn(|k| points.iter().map(|point| point[k]).collect());
-    let normalization = Normalization::identity();
-    let rows = |model: &Model| {
-        let view = ModelView::new(&normalization, model, Residual::Radial);
-        Some(gram(&view, [&columns[0][..], &columns[1], &columns[2]], None, false))
-    };
+    let columns = columns(&noisy_points(&mut ChaCha8Rng::seed_from_u64(1)));
+    let rows = |model: &Model| gram_of(&columns, model);
     let run = |rival: f64| {
         let none = &NormalizedConstraints::NONE;
         let problem = CompressedProblem::around(&start(), none, 1e-8, rows).with_rival(rival);
