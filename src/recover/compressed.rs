@@ -119,6 +119,11 @@ impl<R: Fn(&Model) -> Option<Gram>> LeastSquaresProblem<f64, Const<COLUMNS>, Con
             self.current = self.best.clone();
             return;
         }
+        // A step that was refused is tried again where the optimiser's bound, though narrowed, still
+        // allows it.
+        if *coordinates == self.current.coordinates {
+            return;
+        }
         self.current = self.evaluate(coordinates);
         if self.current.cost() < self.best.cost() {
             self.best = self.current.clone();

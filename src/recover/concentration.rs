@@ -15,7 +15,7 @@ pub(crate) const CORE_SHARE: f64 = 0.5;
 const STEPS: usize = 30;
 
 /// A descent of one step.
-const MEDIUM: Effort = Effort { tolerance: 1e-4, patience: 2, step_bound: 1.0 };
+const MEDIUM: Effort = Effort { gain: 0.25, patience: 2, step_bound: 1.0 };
 
 /// The model of the half of the points that is nearest to it, from another one, and the passes over
 /// points that it took. None where a descent has no result.

@@ -75,15 +75,26 @@ impl PointSet<'_> {
     }
 }
 
+/// Share of the cost below which rounding decides what is a gain.
+const LEAST_TOLERANCE: f64 = 1e-8;
+
 /// How far a run goes.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Effort {
-    /// Relative change of the cost, made or promised by the next step, at which it ends.
-    pub tolerance: f64,
+    /// What a step must gain, or promise, to be worth a pass: in units of the residuals' variance, as
+    /// the points' chi squared is.
+    pub gain: f64,
     /// Evaluations, in units of twelve, after which it ends.
     pub patience: usize,
     /// The first step's bound, as a share of the coordinates' norm.
     pub step_bound: f64,
+}
+
+impl Effort {
+    /// The same as a share of the cost, which is worth as many variances as the points weigh.
+    fn tolerance(&self, points: &PointSet) -> f64 {
+        (self.gain / points.weight()).max(LEAST_TOLERANCE)
+    }
 }
 
 /// Where a run has led.
@@ -152,12 +163,13 @@ fn is_drawn_inside(descent: &Descent, constraints: &NormalizedConstraints) -> bo
 
 fn run(points: &PointSet, start: &Model, effort: &Effort, rival: f64) -> Option<Descent> {
     let rows = |model: &Model| points.gram(model);
-    let problem = CompressedProblem::around(start, points.constraints, effort.tolerance, rows)
+    let tolerance = effort.tolerance(points);
+    let problem = CompressedProblem::around(start, points.constraints, tolerance, rows)
         .with_rounding(points.precision.rounding())
         .with_rival(rival * points.weight());
     let (problem, report) = LevenbergMarquardt::new()
-        .with_ftol(effort.tolerance)
-        .with_xtol(effort.tolerance)
+        .with_ftol(tolerance)
+        .with_xtol(tolerance)
         .with_gtol(f64::EPSILON)
         .with_stepbound(effort.step_bound)
         .with_scale_diag(false)

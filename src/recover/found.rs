@@ -28,10 +28,10 @@ const SWITCHED_FINALISTS: usize = 4;
 const FINALISTS: usize = 3;
 
 /// To tell the finalists apart, and to leave little to do on more points.
-const MEDIUM: Effort = Effort { tolerance: 1e-6, patience: 5, step_bound: 1.0 };
+const MEDIUM: Effort = Effort { gain: 0.25, patience: 5, step_bound: 1.0 };
 
 /// To the end.
-const FINISH: Effort = Effort { tolerance: 1e-8, patience: 16, step_bound: 1.0 };
+const FINISH: Effort = Effort { gain: 0.01, patience: 16, step_bound: 1.0 };
 
 /// Where the descents have led.
 pub(crate) struct Found {

@@ -44,7 +44,7 @@ const SAME_SIZE: f64 = 0.02;
 const SAME_EXPONENT: f64 = 0.05;
 
 /// A brief descent: it must tell minima apart, not find them exactly.
-pub(crate) const BRIEF: Effort = Effort { tolerance: 1e-3, patience: 2, step_bound: 0.5 };
+pub(crate) const BRIEF: Effort = Effort { gain: 0.25, patience: 2, step_bound: 0.5 };
 
 /// Bookkeeping of a search: every descent, best first, and what they cost.
 #[derive(Debug, Default)]
