@@ -32,10 +32,24 @@ impl Sided {
         let Some(side) = Side::of(&surface, start) else {
             return Some(Self::unknown(fit.clone()));
         };
-        let mut both = side.odds(points, start, fit.mixture.variance.sqrt());
-        both.iter_mut().zip(odds).for_each(|(both, odds)| *both *= odds);
+        let deviation = fit.mixture.variance.sqrt();
+        let both = multiplied(side.odds(points, start, deviation), odds);
         let fit = alternate(points, Some(&both), start, fit.mixture, schedule)?;
         Some(Self { fit, side: Some(side) })
+    }
+
+    /// Settles the same mixture anew from another model, the odds being those around this one's. None
+    /// where no side is known.
+    pub fn resettled(
+        &self,
+        points: &PointSet,
+        odds: &[f64],
+        start: &Model,
+        schedule: Schedule,
+    ) -> Option<Self> {
+        let both = multiplied(self.odds(points)?, odds);
+        let fit = alternate(points, Some(&both), start, self.fit.mixture, schedule)?;
+        Some(Self { fit, ..*self })
     }
 
     /// The fit that makes the points more likely.
@@ -48,4 +62,9 @@ impl Sided {
         let MixtureFit { descent, mixture, .. } = &self.fit;
         self.side.map(|side| side.odds(points, &descent.model, mixture.variance.sqrt()))
     }
+}
+
+fn multiplied(mut odds: Vec<f64>, others: &[f64]) -> Vec<f64> {
+    odds.iter_mut().zip(others).for_each(|(odds, other)| *odds *= other);
+    odds
 }

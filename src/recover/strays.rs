@@ -56,6 +56,10 @@ const FEW: f64 = 0.1;
 const HINT: f64 = 0.25;
 const HINT_ROUNDS: usize = 5;
 
+/// Variance around a fit, in that around the one it was settled from, below which the noise had been
+/// taken for far more than it is.
+const SHARPER: f64 = 0.25;
+
 /// Deviation about the model of the half that fits best, in that about the model of all, below which
 /// the others had drawn the fit off.
 const DRAWN_OFF: f64 = 0.5;
@@ -193,7 +197,13 @@ impl CoreSearch<'_> {
             self.passes += sided.as_ref().map_or(0, |sided| sided.fit.passes);
             settled.extend(sided);
         }
-        settled.into_iter().reduce(Sided::more_likely)
+        let sided = settled.into_iter().reduce(Sided::more_likely)?;
+        if sided.fit.mixture.variance > SHARPER * best.mixture.variance {
+            return Some(sided);
+        }
+        let other = sided.resettled(self.sample, odds, &best.descent.model, ON_SAMPLE);
+        self.passes += other.as_ref().map_or(0, |other| other.fit.passes);
+        Some(other.into_iter().fold(sided, Sided::more_likely))
     }
 
     /// A mixture, or where its own points misfit, that around the half of all points that fits best,
