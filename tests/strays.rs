@@ -112,6 +112,17 @@ fn views_of_one_side_among_strays() {
     }
 }
 
+/// The fewer points, the longer some strays pass for surface.
+#[test]
+fn sparse_views_of_one_side_among_strays() {
+    for share in [0.1, 0.2] {
+        assert_recovered_from_one_side(94, 0.98, |scene, truth| {
+            let (points, camera) = one_sided_view_from(scene, truth, 450, 0.01);
+            (with_strays(scene, truth, points, share), camera)
+        });
+    }
+}
+
 /// Strays on the side that is not seen do not tell where it is.
 #[test]
 fn noisy_views_of_one_side_among_strays() {

@@ -41,11 +41,6 @@ impl MixtureFit {
     pub fn surface(&self) -> Vec<usize> {
         (0..self.weights.len()).filter(|&i| self.weights[i] > 0.5).collect()
     }
-
-    /// The fit that makes the points more likely.
-    pub fn more_likely(self, other: Self) -> Self {
-        if other.log_likelihood > self.log_likelihood { other } else { self }
-    }
 }
 
 /// How an alternation goes.

@@ -51,6 +51,9 @@ const LEAST_SURFACE: f64 = 2.0 * PARAMETERS as f64;
 const FEW: f64 = 0.05;
 const ISOLATED_ODDS: f64 = 1e-9;
 
+/// Share of clutter from which on what is left of it may be worth another look.
+const WORTH_ANOTHER_LOOK: f64 = 0.03;
+
 /// What neighbours say of the points.
 #[derive(Debug, Clone)]
 pub(crate) struct Clutter {
@@ -94,7 +97,7 @@ impl Clutter {
     /// What neighbours say of the points once those that are clutter have gone: what is left of it
     /// has fewer neighbours then.
     pub fn looked_at_again(mut self, points: PointColumns) -> Self {
-        if self.share < FEW {
+        if self.share < WORTH_ANOTHER_LOOK {
             return self;
         }
         let kept = self.surface();

@@ -37,7 +37,7 @@ pub(crate) fn concentrated(points: &PointSet, start: &Model) -> Option<(Model, u
 }
 
 /// Indices, ascending, of so many of the least values.
-fn least(values: &[f64], count: usize) -> Vec<usize> {
+pub(crate) fn least(values: &[f64], count: usize) -> Vec<usize> {
     let mut indices: Vec<usize> = (0..values.len()).collect();
     indices.sort_by(|&i, &j| values[i].total_cmp(&values[j]));
     indices.truncate(count);

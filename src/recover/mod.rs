@@ -9,6 +9,7 @@ mod clutter;
 mod compressed;
 mod concentration;
 mod constraints;
+mod core_search;
 mod covariance;
 mod descent;
 mod doubt;
