@@ -6,42 +6,80 @@
 #[path = "../tests/common/mod.rs"]
 mod common;
 
+use std::hint::black_box;
 use std::num::NonZeroUsize;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use common::{Scene, one_sided_view_from, point_cloud, with_strays};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use superquadric::cloud::PointCloud;
 use superquadric::recover::{Distance, FitOptions, Precision, Sight, fit};
 
-/// Shapes that one measurement fits, since the search takes longer for some than for others.
-const SHAPES: u64 = 8;
+/// Complete clouds that one measurement fits, one of each shape, since the search takes longer for some
+/// than for others; and hard ones.
+const COMPLETE: u64 = 16;
+const HARD_SHAPES: u64 = 8;
+
+/// What is told of the times of all shapes.
+#[derive(Debug, Clone, Copy)]
+enum Statistic {
+    Median,
+    Mean,
+}
+
+impl Statistic {
+    fn of(self, mut times: Vec<Duration>) -> Duration {
+        times.sort_unstable();
+        match self {
+            Self::Median => times[times.len() / 2],
+            Self::Mean => times.iter().sum::<Duration>() / times.len() as u32,
+        }
+    }
+}
 
 fn complete_clouds(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group(format!("fit of {SHAPES} complete clouds"));
+    let mut group = criterion.benchmark_group("fit of a complete cloud");
     group.sample_size(10).measurement_time(Duration::from_secs(5));
     for points in [1_000, 10_000, 100_000, 1_000_000] {
-        let clouds: Vec<_> = (0..SHAPES)
+        let clouds: Vec<_> = (0..COMPLETE)
             .map(|seed| {
                 let mut scene = Scene::new(seed);
                 let truth = scene.random_model();
                 point_cloud(&scene.cloud(&truth, points, 0.01))
             })
             .collect();
-        group.throughput(Throughput::Elements(SHAPES * points as u64));
-        for distance in [Distance::Radial, Distance::Geometric] {
-            for precision in [Precision::Double, Precision::Single] {
-                let threads = NonZeroUsize::new(1);
-                let options = FitOptions { distance, precision, threads, ..FitOptions::default() };
-                let name = format!("{}, {}", distance.name(), precision.name());
-                let id = BenchmarkId::new(name, points);
-                group.bench_with_input(id, &clouds, |bencher, clouds| {
-                    bencher.iter(|| clouds.iter().map(|c| fit(c, &options)).collect::<Vec<_>>());
+        group.throughput(Throughput::Elements(points as u64));
+        for (distance, precision, statistic) in statistics() {
+            let threads = NonZeroUsize::new(1);
+            let options = FitOptions { distance, precision, threads, ..FitOptions::default() };
+            let name = format!("{}, {}, {statistic:?}", distance.name(), precision.name());
+            group.bench_function(BenchmarkId::new(name, points), |bencher| {
+                bencher.iter_custom(|times| {
+                    let one = |cloud| time_of_fits(cloud, &options, times);
+                    statistic.of(clouds.iter().map(one).collect())
                 });
-            }
+            });
         }
     }
     group.finish();
+}
+
+/// What is measured of each size.
+fn statistics() -> impl Iterator<Item = (Distance, Precision, Statistic)> {
+    [Distance::Radial, Distance::Geometric].into_iter().flat_map(|distance| {
+        [Precision::Double, Precision::Single].into_iter().flat_map(move |precision| {
+            [Statistic::Median, Statistic::Mean].map(|statistic| (distance, precision, statistic))
+        })
+    })
+}
+
+/// What it takes to fit a cloud so many times.
+fn time_of_fits(cloud: &PointCloud, options: &FitOptions, times: u64) -> Duration {
+    let start = Instant::now();
+    for _ in 0..times {
+        black_box(fit(cloud, options).expect("a cloud with an extent"));
+    }
+    start.elapsed()
 }
 
 /// A cloud that is harder than a complete one, of about so many points.
@@ -104,10 +142,10 @@ impl Hard {
 }
 
 fn hard_clouds(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group(format!("fit of {SHAPES} hard clouds"));
+    let mut group = criterion.benchmark_group(format!("fit of {HARD_SHAPES} hard clouds"));
     group.sample_size(10).measurement_time(Duration::from_secs(3));
     for hard in HARD {
-        let clouds: Vec<_> = (0..SHAPES).map(|seed| hard.cloud(seed)).collect();
+        let clouds: Vec<_> = (0..HARD_SHAPES).map(|seed| hard.cloud(seed)).collect();
         for distance in [Distance::Radial, Distance::Geometric] {
             let fit_all = || -> Vec<_> {
                 let one = |(cloud, sight): &(PointCloud, Option<Sight>)| {

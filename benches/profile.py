@@ -18,9 +18,9 @@ PAGE = ROOT / "docs/profile.md"
 SECONDS = 5
 FREQUENCY = 1999
 CLOUDS = {
-    "1,000 points": "complete clouds/geometric, double/1000$",
-    "10,000 points": "complete clouds/geometric, double/10000$",
-    "1,000,000 points": "complete clouds/geometric, double/1000000$",
+    "1,000 points": "complete cloud/geometric, double, Mean/1000$",
+    "10,000 points": "complete cloud/geometric, double, Mean/10000$",
+    "1,000,000 points": "complete cloud/geometric, double, Mean/1000000$",
     "2,000 points of one side, 20 % of them strays": (
         "hard clouds/geometric/one side, 20 % of strays$"
     ),

@@ -30,7 +30,7 @@ QUARTILES = [0, 0.25, 0.5, 0.75, 1]
 PAGE = """# How well shapes are recovered
 
 {made}, from the suites of
-[data_synth](../data_synth/README.md): at most {scenes} scenes of each level, known truth, seed 0.
+[data_synth](../data_synth/README.md): {scenes} scenes of each level, known truth, seed 0.
 
 - Success: share of the scenes whose volume overlap (IoU) with the truth is at least 0.9.
 - Surface distance: symmetric mean distance of the two surfaces over the true mean semi-axis. It
@@ -71,7 +71,7 @@ def _options():
 def _results(name, options, folder):
     """The levels of a suite by method, as `summary.json` has them."""
     suite = read_suite(SUITES / f"{name}.toml")
-    suite = replace(suite, scenes=min(suite.scenes, options.scenes))
+    suite = replace(suite, scenes=options.scenes)
     generate(suite, folder / "suite", jobs=options.jobs)
     evaluations = {
         distance: evaluate(folder / "suite", folder / distance, distance=distance)

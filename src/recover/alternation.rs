@@ -16,7 +16,7 @@ const ROUNDS_WITHOUT_ENDS: usize = 4;
 const STEP: Effort = Effort { gain: 0.25, patience: 2, step_bound: 1.0 };
 
 /// The last maximisation.
-const FINISH: Effort = Effort { gain: 0.01, patience: 16, step_bound: 1.0 };
+const FINISH: Effort = Effort { gain: 1e-3, patience: 16, step_bound: 1.0 };
 
 /// The 30 % quantile of the square of a normal deviate.
 const LOW_QUANTILE: f64 = 0.148;

@@ -31,7 +31,7 @@ const FINALISTS: usize = 3;
 const MEDIUM: Effort = Effort { gain: 0.25, patience: 5, step_bound: 1.0 };
 
 /// To the end.
-const FINISH: Effort = Effort { gain: 0.01, patience: 16, step_bound: 1.0 };
+const FINISH: Effort = Effort { gain: 1e-3, patience: 16, step_bound: 1.0 };
 
 /// Where the descents have led.
 pub(crate) struct Found {
