@@ -5,6 +5,8 @@
 //! `[r J]' [r J]`: as `R'R` is that matrix, the residual `|r|, 0, ..` and the remaining columns
 //! of R stand for it.
 
+use std::cell::Cell;
+
 use levenberg_marquardt::LeastSquaresProblem;
 use nalgebra::storage::Owned;
 use nalgebra::{Const, SMatrix, SVector};
@@ -21,6 +23,11 @@ const PIVOT_TOLERANCE: f64 = 1e-13;
 
 /// A problem is behind a rival where so many steps like the next would not catch up.
 const STEPS_TO_CATCH_UP: f64 = 3.0;
+
+/// Share of a small promise that a step keeps, or has broken it, and steps in a row that may have: where
+/// more do, the cost is rougher than what is left to gain.
+const KEPT: f64 = 0.1;
+const MOST_BROKEN: usize = 1;
 
 /// An evaluated point of parameter space.
 #[derive(Debug, Clone)]
@@ -42,13 +49,20 @@ impl Evaluation {
 /// fit is interrupted, after which no step is taken any more.
 pub(crate) struct CompressedProblem<R> {
     chart: Chart,
+    start: Coordinates,
     rows: R,
     /// Share of the cost that a step must promise to be worth a pass.
     tolerance: f64,
     /// Rounding of each residual.
     rounding: f64,
+    /// Share of the cost below which a promise is small.
+    small: f64,
     /// The least loss, as a sum of squares, that was found from elsewhere.
     rival: f64,
+    /// The share of the cost that the next step promises.
+    promised: Cell<f64>,
+    /// Steps in a row that have broken a small promise.
+    broken: usize,
     current: Evaluation,
     /// The evaluation of least cost so far.
     best: Evaluation,
@@ -69,9 +83,13 @@ impl<R: Fn(&Model) -> Option<Gram>> CompressedProblem<R> {
         let start = Evaluation { coordinates, model_and_gram: None };
         let mut problem = Self {
             chart,
+            start: coordinates,
             rows,
             tolerance,
             rounding: 0.0,
+            small: 0.0,
+            promised: Cell::new(f64::INFINITY),
+            broken: 0,
             rival: f64::INFINITY,
             current: start.clone(),
             best: start,
@@ -88,9 +106,20 @@ impl<R: Fn(&Model) -> Option<Gram>> CompressedProblem<R> {
         Self { rounding, ..self }
     }
 
+    /// The same, at its end once steps that promise less than this share of the cost break their promise:
+    /// where points lie on the creases of a model, its cost is rough, and its least place chance.
+    pub fn with_small(self, small: f64) -> Self {
+        Self { small, ..self }
+    }
+
     /// The same, given up where it is behind a rival's loss and no step promises much any more.
     pub fn with_rival(self, rival: f64) -> Self {
         Self { rival, ..self }
+    }
+
+    /// Whether no evaluation has less cost than the first.
+    pub fn is_best_at_start(&self) -> bool {
+        self.best.coordinates == self.start
     }
 
     /// The evaluation of least cost.
@@ -125,6 +154,10 @@ impl<R: Fn(&Model) -> Option<Gram>> LeastSquaresProblem<f64, Const<COLUMNS>, Con
             return;
         }
         self.current = self.evaluate(coordinates);
+        let gained = 1.0 - self.current.cost() / self.best.cost();
+        let promised = self.promised.get();
+        let is_broken = promised < self.small && gained < KEPT * promised;
+        self.broken = if is_broken { self.broken + 1 } else { 0 };
         if self.current.cost() < self.best.cost() {
             self.best = self.current.clone();
         }
@@ -134,12 +167,11 @@ impl<R: Fn(&Model) -> Option<Gram>> LeastSquaresProblem<f64, Const<COLUMNS>, Con
         self.current.coordinates
     }
 
-    /// `[|r|, 0, ..]`; NaN outside the domain, which makes the optimiser refuse the step (an
-    /// answer of `None` would end it there).
+    /// `[|r|, 0, ..]`; NaN outside the domain, which makes the optimiser refuse the step. None ends it.
     fn residuals(&self) -> Option<SVector<f64, COLUMNS>> {
         let mut residuals = SVector::zeros();
         residuals[0] = self.current.cost().sqrt();
-        Some(residuals)
+        (self.broken <= MOST_BROKEN).then_some(residuals)
     }
 
     fn jacobian(&self) -> Option<SMatrix<f64, COLUMNS, PARAMETERS>> {
@@ -149,6 +181,7 @@ impl<R: Fn(&Model) -> Option<Gram>> LeastSquaresProblem<f64, Const<COLUMNS>, Con
         let factor = factor(&pulled_back(gram, &local));
         let rounding_share = 2.0 * self.rounding / factor[(0, 0)];
         let promised = promised_share(&factor);
+        self.promised.set(promised);
         let behind = 1.0 - self.rival / gram.loss_squares();
         let needed = self.tolerance.max(rounding_share).max(behind / STEPS_TO_CATCH_UP);
         (promised > needed).then(|| factor.fixed_columns::<PARAMETERS>(1).into_owned())

@@ -15,7 +15,7 @@ pub(crate) const CORE_SHARE: f64 = 0.5;
 const STEPS: usize = 30;
 
 /// A descent of one step.
-const MEDIUM: Effort = Effort { gain: 0.25, patience: 2, step_bound: 1.0 };
+const MEDIUM: Effort = Effort { gain: 0.25, patience: 2, step_bound: 1.0, starts_near: false };
 
 /// The model of the half of the points that is nearest to it, from another one, and the passes over
 /// points that it took. None where a descent has no result.
@@ -50,10 +50,8 @@ mod tests {
     use super::*;
     use crate::pose::Pose;
     use crate::recover::constraints::Constraints;
-    use crate::recover::evidence::Evidence;
-    use crate::recover::kernel::Residual;
+    use crate::recover::descent::tests::bare;
     use crate::recover::normalization::Normalization;
-    use crate::recover::options::Precision;
     use crate::shape::Superellipsoid;
 
     /// A ball before a wall, on which one point in six is: the fit to all of them is drawn to it.
@@ -71,15 +69,8 @@ mod tests {
         let columns = [0, 1, 2].map(|k| points.iter().map(|x| x[k]).collect::<Vec<f64>>());
         let normalization = Normalization::identity();
         let points = PointSet {
-            points: [&columns[0], &columns[1], &columns[2]],
-            normalization: &normalization,
-            root_weights: None,
-            evidence: &Evidence::NONE,
             constraints: &Constraints::sphere().normalized(&normalization),
-            parallel: false,
-            residual: Residual::Geometric,
-            precision: Precision::Double,
-            is_interrupted: &|| false,
+            ..bare([&columns[0], &columns[1], &columns[2]])
         };
         let ball = Superellipsoid::new([1.0; 3], [1.0; 2]).unwrap();
         let start = Model { shape: ball, pose: Pose::identity() };

@@ -29,7 +29,7 @@ const MEDIUM_FINALISTS: usize = 4;
 const FINALISTS: usize = 3;
 
 /// To tell minima apart.
-const MEDIUM: Effort = Effort { gain: 0.25, patience: 2, step_bound: 1.0 };
+const MEDIUM: Effort = Effort { gain: 0.25, patience: 2, step_bound: 1.0, starts_near: false };
 
 /// Share of strays held while screening: left free, it runs away from a rough start.
 const SCREENING_SHARE: f64 = 0.25;

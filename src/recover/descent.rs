@@ -1,5 +1,7 @@
 //! One run of Levenberg-Marquardt from one model, on one set of points.
 
+use std::cell::Cell;
+
 use levenberg_marquardt::LevenbergMarquardt;
 
 use super::compressed::CompressedProblem;
@@ -75,6 +77,9 @@ impl PointSet<'_> {
     }
 }
 
+/// Gain, in units of the residuals' variance, that is of the size of their chance.
+const SMALL: f64 = 10.0;
+
 /// Share of the cost below which rounding decides what is a gain.
 const LEAST_TOLERANCE: f64 = 1e-8;
 
@@ -88,6 +93,10 @@ pub(crate) struct Effort {
     pub patience: usize,
     /// The first step's bound, as a share of the coordinates' norm.
     pub step_bound: f64,
+    /// Whether it starts near the minimum of many points: then the first pass does in single precision,
+    /// since a step from there leads as far, and the run ends where the cost is rougher than what is
+    /// left to gain.
+    pub starts_near: bool,
 }
 
 impl Effort {
@@ -162,9 +171,15 @@ fn is_drawn_inside(descent: &Descent, constraints: &NormalizedConstraints) -> bo
 }
 
 fn run(points: &PointSet, start: &Model, effort: &Effort, rival: f64) -> Option<Descent> {
-    let rows = |model: &Model| points.gram(model);
+    let starts_in_single = effort.starts_near && points.precision == Precision::Double;
+    let is_first = Cell::new(starts_in_single);
+    let rows = |model: &Model| {
+        let precision = if is_first.take() { Precision::Single } else { points.precision };
+        PointSet { precision, ..*points }.gram(model)
+    };
     let tolerance = effort.tolerance(points);
     let problem = CompressedProblem::around(start, points.constraints, tolerance, rows)
+        .with_small(if effort.starts_near { SMALL / points.weight() } else { 0.0 })
         .with_rounding(points.precision.rounding())
         .with_rival(rival * points.weight());
     let (problem, report) = LevenbergMarquardt::new()
@@ -176,6 +191,10 @@ fn run(points: &PointSet, start: &Model, effort: &Effort, rival: f64) -> Option<
         .with_patience(effort.patience)
         .minimize(problem);
     let passes = problem.passes;
+    if starts_in_single && problem.is_best_at_start() {
+        let further = run(points, start, &Effort { starts_near: false, ..*effort }, rival)?;
+        return Some(Descent { passes: passes + further.passes, ..further });
+    }
     let (model, gram) = problem.into_best().model_and_gram?;
     Some(Descent {
         model,
@@ -186,4 +205,59 @@ fn run(points: &PointSet, start: &Model, effort: &Effort, rival: f64) -> Option<
         passes,
         termination: report.termination.into(),
     })
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use crate::pose::Pose;
+    use crate::shape::Superellipsoid;
+    use crate::surface::sample_surface;
+
+    static IDENTITY: Normalization = Normalization::identity();
+    static NO_EVIDENCE: Evidence = Evidence::NONE;
+
+    /// Points by themselves, in normalised coordinates, and their geometric distances.
+    pub(crate) fn bare(points: PointColumns) -> PointSet {
+        PointSet {
+            points,
+            normalization: &IDENTITY,
+            root_weights: None,
+            evidence: &NO_EVIDENCE,
+            constraints: &NormalizedConstraints::NONE,
+            parallel: false,
+            residual: Residual::Geometric,
+            precision: Precision::Double,
+            is_interrupted: &|| false,
+        }
+    }
+
+    const FAR: Effort = Effort { gain: 1e-6, patience: 16, step_bound: 1.0, starts_near: false };
+    const NEAR: Effort = Effort { starts_near: true, ..FAR };
+
+    fn model(size: [f64; 3], exponents: [f64; 2]) -> Model {
+        Model { shape: Superellipsoid::new(size, exponents).unwrap(), pose: Pose::identity() }
+    }
+
+    /// Points on both sides of a surface.
+    fn points_about(truth: &Model) -> [Vec<f64>; 3] {
+        let points = sample_surface(&truth.shape, 3_000, 1);
+        let factor = |i: usize| if i.is_multiple_of(2) { 1.01 } else { 0.99 };
+        [0, 1, 2].map(|k| (0..points.len()).map(|i| factor(i) * points[i][k]).collect())
+    }
+
+    #[test]
+    fn what_starts_in_single_precision_ends_in_double() {
+        let truth = model([1.0, 0.7, 1.2], [0.5, 0.9]);
+        let columns = points_about(&truth);
+        let points = bare(columns.each_ref().map(|column| &column[..]));
+        let start = model([1.01, 0.7, 1.19], [0.51, 0.88]);
+        let far = descend(&points, &start, &FAR).unwrap();
+        let near = descend(&points, &start, &NEAR).unwrap();
+        assert!((near.loss / far.loss - 1.0).abs() < 1e-9, "{} {}", near.loss, far.loss);
+        for descent in [near, descend(&points, &far.model, &NEAR).unwrap()] {
+            assert_eq!(Some(descent.gram), points.gram(&descent.model));
+            assert!(descent.termination.at_minimum);
+        }
+    }
 }

@@ -104,11 +104,8 @@ fn end_under(scaled: &Vector3<f64>) -> usize {
 mod tests {
     use super::*;
     use crate::pose::Pose;
-    use crate::recover::constraints::NormalizedConstraints;
-    use crate::recover::evidence::Evidence;
-    use crate::recover::kernel::Residual;
+    use crate::recover::descent::tests::bare;
     use crate::recover::normalization::{Moments, Normalization};
-    use crate::recover::options::Precision;
     use crate::shape::Superellipsoid;
 
     const DEVIATION: f64 = 0.01;
@@ -129,17 +126,7 @@ mod tests {
         let columns = [0, 1, 2].map(|k| points.iter().map(|x| x[k]).collect::<Vec<f64>>());
         let columns = [&columns[0][..], &columns[1], &columns[2]];
         let Moments { normalization, .. } = Moments::of(columns);
-        let points = PointSet {
-            points: columns,
-            normalization: &normalization,
-            root_weights: None,
-            evidence: &Evidence::NONE,
-            constraints: &NormalizedConstraints::NONE,
-            parallel: false,
-            residual: Residual::Geometric,
-            precision: Precision::Double,
-            is_interrupted: &|| false,
-        };
+        let points = PointSet { normalization: &normalization, ..bare(columns) };
         let count = points.len();
         let weights: Vec<f64> = (0..count).map(|i| f64::from(i < count - strays)).collect();
         let cube = Superellipsoid::new([1.0; 3], [0.1; 2]).unwrap();

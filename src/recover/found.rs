@@ -4,6 +4,7 @@ use super::alternation::MixtureFit;
 use super::descent::{Descent, Effort, PointSet};
 use super::kernel::Residual;
 use super::normalization::Moments;
+use super::options::Precision;
 use super::search::{BRIEF, Search};
 use super::strays::{Recovery, fit_among_clutter, set_outliers_apart};
 use super::subset::Subset;
@@ -28,10 +29,11 @@ const SWITCHED_FINALISTS: usize = 4;
 const FINALISTS: usize = 3;
 
 /// To tell the finalists apart, and to leave little to do on more points.
-const MEDIUM: Effort = Effort { gain: 0.25, patience: 5, step_bound: 1.0 };
+const MEDIUM: Effort = Effort { gain: 0.25, patience: 5, step_bound: 1.0, starts_near: false };
 
-/// To the end.
-const FINISH: Effort = Effort { gain: 1e-3, patience: 16, step_bound: 1.0 };
+/// To the end, from afar and from the minimum of fewer points.
+const FINISH: Effort = Effort { gain: 1e-3, patience: 16, step_bound: 1.0, starts_near: false };
+const FINISH_NEAR: Effort = Effort { starts_near: true, ..FINISH };
 
 /// Where the descents have led.
 pub(crate) struct Found {
@@ -150,7 +152,8 @@ fn search(all: &PointSet, moments: &Moments, seed: u64) -> Search {
     for count in [FIRST_STAGE, (FIRST_STAGE * all.len()).isqrt()] {
         if all.len() >= WORTH_A_STAGE * count {
             let some = Subset::stratified(all.points, count, seed);
-            let some = PointSet { points: some.columns(), parallel: false, ..*all };
+            let precision = Precision::Single;
+            let some = PointSet { points: some.columns(), parallel: false, precision, ..*all };
             let some = PointSet { evidence: evidence.as_ref().unwrap_or(all.evidence), ..some };
             search.refine(&some, &MEDIUM, finalists);
             if finalists == FINALISTS {
@@ -160,9 +163,11 @@ fn search(all: &PointSet, moments: &Moments, seed: u64) -> Search {
         }
     }
     let all = PointSet { evidence: evidence.as_ref().unwrap_or(all.evidence), ..*all };
-    search.refine(&all, &FINISH, finalists);
     if finalists == FINALISTS {
+        search.refine(&all, &FINISH, finalists);
         search.look_around(&all, &FINISH, FINALISTS);
+    } else {
+        search.refine(&all, &FINISH_NEAR, finalists);
     }
     search
 }

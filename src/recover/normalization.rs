@@ -20,7 +20,7 @@ pub(crate) struct Normalization {
 
 impl Normalization {
     /// The similarity that changes nothing.
-    pub fn identity() -> Self {
+    pub const fn identity() -> Self {
         Self { centroid: [0.0; 3], radius: 1.0, inverse_radius: 1.0 }
     }
 

@@ -133,6 +133,27 @@ fn a_problem_behind_a_rival_is_given_up_and_one_that_will_pass_it_is_not() {
 }
 
 #[test]
+fn steps_in_a_row_that_break_small_promises_end_the_descent() {
+    let columns = columns(&noisy_points(&mut ChaCha8Rng::seed_from_u64(1)));
+    let passes = |small: f64| {
+        // Whatever the rows promise, each evaluation costs ten times the one before.
+        let factor = Cell::new(1.0);
+        let rows = |model: &Model| {
+            let mut gram = gram_of(&columns, model)?;
+            gram.matrix[0][0] *= factor.replace(10.0 * factor.get());
+            Some(gram)
+        };
+        let none = &NormalizedConstraints::NONE;
+        let problem = CompressedProblem::around(&start(), none, 0.0, rows).with_small(small);
+        let (problem, _) = LevenbergMarquardt::new().with_scale_diag(false).minimize(problem);
+        assert!(problem.is_best_at_start());
+        problem.passes
+    };
+    assert_eq!(passes(1.0), 1 + 1 + MOST_BROKEN);
+    assert!(passes(0.0) > 10, "{}", passes(0.0));
+}
+
+#[test]
 fn the_promised_share_is_that_of_the_residual_in_the_span_of_the_jacobian() {
     let mut rng = ChaCha8Rng::seed_from_u64(3);
     let rows = SMatrix::<f64, 40, COLUMNS>::from_fn(|_, _| rng.random_range(-1.0..1.0));

@@ -71,28 +71,14 @@ impl Side {
 mod tests {
     use super::*;
     use crate::pose::Pose;
-    use crate::recover::constraints::NormalizedConstraints;
-    use crate::recover::evidence::Evidence;
-    use crate::recover::kernel::Residual;
-    use crate::recover::normalization::Normalization;
-    use crate::recover::options::Precision;
+    use crate::recover::descent::tests::bare;
     use crate::shape::Superellipsoid;
 
     const DEVIATION: f64 = 0.02;
 
     fn odds(side: Side, shape: &Superellipsoid, points: &[[f64; 3]]) -> Vec<f64> {
         let columns = [0, 1, 2].map(|k| points.iter().map(|x| x[k]).collect::<Vec<f64>>());
-        let points = PointSet {
-            points: [&columns[0], &columns[1], &columns[2]],
-            normalization: &Normalization::identity(),
-            root_weights: None,
-            evidence: &Evidence::NONE,
-            constraints: &NormalizedConstraints::NONE,
-            parallel: false,
-            residual: Residual::Geometric,
-            precision: Precision::Double,
-            is_interrupted: &|| false,
-        };
+        let points = bare([&columns[0], &columns[1], &columns[2]]);
         side.odds(&points, &Model { shape: *shape, pose: Pose::identity() }, DEVIATION)
     }
 
