@@ -20,7 +20,7 @@ use crate::machine::instruction_set;
 use crate::model::Model;
 
 /// Points from which on a pass is worth sharing among threads.
-const PARALLEL_POINTS: usize = 16_384;
+pub(super) const PARALLEL_POINTS: usize = 16_384;
 
 /// Points on which the correlation of neighbours' residuals is judged.
 const CORRELATION_POINTS: usize = 256;

@@ -2,6 +2,7 @@
 
 use super::alternation::MixtureFit;
 use super::descent::{Descent, Effort, PointSet};
+use super::fit::PARALLEL_POINTS;
 use super::kernel::Residual;
 use super::normalization::Moments;
 use super::options::Precision;
@@ -152,9 +153,13 @@ fn search(all: &PointSet, moments: &Moments, seed: u64) -> Search {
     for count in [FIRST_STAGE, (FIRST_STAGE * all.len()).isqrt()] {
         if all.len() >= WORTH_A_STAGE * count {
             let some = Subset::stratified(all.points, count, seed);
-            let precision = Precision::Single;
-            let some = PointSet { points: some.columns(), parallel: false, precision, ..*all };
-            let some = PointSet { evidence: evidence.as_ref().unwrap_or(all.evidence), ..some };
+            let some = PointSet {
+                points: some.columns(),
+                evidence: evidence.as_ref().unwrap_or(all.evidence),
+                parallel: all.parallel && count >= PARALLEL_POINTS,
+                precision: Precision::Single,
+                ..*all
+            };
             search.refine(&some, &MEDIUM, finalists);
             if finalists == FINALISTS {
                 evidence = search.look_around(&some, &MEDIUM, FINALISTS);
