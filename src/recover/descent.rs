@@ -14,6 +14,9 @@ use super::result::Termination;
 use crate::cloud::PointColumns;
 use crate::model::Model;
 
+/// Points from which on a pass is worth sharing among threads.
+pub(crate) const PARALLEL_POINTS: usize = 16_384;
+
 /// The points that a run looks at, and how they are normalised.
 #[derive(Clone, Copy)]
 pub(crate) struct PointSet<'a> {

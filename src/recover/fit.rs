@@ -3,7 +3,7 @@
 use rayon::ThreadPoolBuilder;
 
 use super::covariance::Covariance;
-use super::descent::{Descent, Interrupt, PointSet};
+use super::descent::{Descent, Interrupt, PARALLEL_POINTS, PointSet};
 use super::doubt::{doubts, require_extent};
 use super::error::FitError;
 use super::evidence::Evidence;
@@ -18,9 +18,6 @@ use super::uncertainty::{covariance, dependence};
 use crate::cloud::PointCloud;
 use crate::machine::instruction_set;
 use crate::model::Model;
-
-/// Points from which on a pass is worth sharing among threads.
-pub(super) const PARALLEL_POINTS: usize = 16_384;
 
 /// Points on which the correlation of neighbours' residuals is judged.
 const CORRELATION_POINTS: usize = 256;

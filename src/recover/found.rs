@@ -1,8 +1,7 @@
 //! From a survey to the best model and the points that are of its surface.
 
 use super::alternation::MixtureFit;
-use super::descent::{Descent, Effort, PointSet};
-use super::fit::PARALLEL_POINTS;
+use super::descent::{Descent, Effort, PARALLEL_POINTS, PointSet};
 use super::kernel::Residual;
 use super::normalization::Moments;
 use super::options::Precision;
