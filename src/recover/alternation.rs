@@ -13,10 +13,7 @@ const SETTLED: f64 = 1e-4;
 const ROUNDS_WITHOUT_ENDS: usize = 4;
 
 /// A maximisation between two expectations.
-const STEP: Effort = Effort { gain: 0.25, patience: 2, step_bound: 1.0, starts_near: false };
-
-/// The last maximisation.
-const FINISH: Effort = Effort { gain: 1e-3, patience: 16, step_bound: 1.0, starts_near: false };
+const STEP: Effort = Effort::MEDIUM;
 
 /// The 30 % quantile of the square of a normal deviate.
 const LOW_QUANTILE: f64 = 0.148;
@@ -101,7 +98,7 @@ pub(crate) fn finish(points: &PointSet, fit: MixtureFit) -> Option<MixtureFit> {
     if fit.surface().len() <= PARAMETERS {
         return None;
     }
-    let descent = descend_weighted(points, &fit.weights, &fit.descent.model, &FINISH)?;
+    let descent = descend_weighted(points, &fit.weights, &fit.descent.model, &Effort::FINISH)?;
     let passes = fit.passes + descent.passes;
     Some(MixtureFit { descent, passes, ..fit })
 }

@@ -14,9 +14,6 @@ pub(crate) const CORE_SHARE: f64 = 0.5;
 /// Steps, at most.
 const STEPS: usize = 30;
 
-/// A descent of one step.
-const MEDIUM: Effort = Effort { gain: 0.25, patience: 2, step_bound: 1.0, starts_near: false };
-
 /// The model of the half of the points that is nearest to it, from another one, and the passes over
 /// points that it took. None where a descent has no result.
 pub(crate) fn concentrated(points: &PointSet, start: &Model) -> Option<(Model, usize)> {
@@ -29,7 +26,8 @@ pub(crate) fn concentrated(points: &PointSet, start: &Model) -> Option<(Model, u
         }
         core = nearest;
         let some = Subset::of(points.points, &core);
-        let descent = descend(&PointSet { points: some.columns(), ..*points }, &model, &MEDIUM)?;
+        let descent =
+            descend(&PointSet { points: some.columns(), ..*points }, &model, &Effort::MEDIUM)?;
         passes += descent.passes + 1;
         model = descent.model;
     }
@@ -74,7 +72,7 @@ mod tests {
         };
         let ball = Superellipsoid::new([1.0; 3], [1.0; 2]).unwrap();
         let start = Model { shape: ball, pose: Pose::identity() };
-        let of_all = descend(&points, &start, &MEDIUM).unwrap().model;
+        let of_all = descend(&points, &start, &Effort::MEDIUM).unwrap().model;
         assert!((of_all.shape.size()[0] - 1.0).abs() > 0.05, "{of_all:?}");
         let (found, _) = concentrated(&points, &of_all).unwrap();
         assert!((found.shape.size()[0] - 1.0).abs() < 1e-6, "{found:?}");

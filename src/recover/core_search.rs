@@ -28,9 +28,6 @@ const COARSE_FINALISTS: usize = 6;
 const MEDIUM_FINALISTS: usize = 4;
 const FINALISTS: usize = 3;
 
-/// To tell minima apart.
-const MEDIUM: Effort = Effort { gain: 0.25, patience: 2, step_bound: 1.0, starts_near: false };
-
 /// Share of strays held while screening: left free, it runs away from a rough start.
 const SCREENING_SHARE: f64 = 0.25;
 
@@ -231,8 +228,8 @@ impl<'a> CoreSearch<'a> {
         let few = PointSet { residual: Residual::Geometric, ..few };
         search.refine(&few, &BRIEF, COARSE_FINALISTS);
         let more = PointSet { points: more.columns(), ..few };
-        search.refine(&more, &MEDIUM, MEDIUM_FINALISTS);
-        search.look_again(&more, &MEDIUM);
+        search.refine(&more, &Effort::MEDIUM, MEDIUM_FINALISTS);
+        search.look_again(&more, &Effort::MEDIUM);
         let minima = search.take_finalists(FINALISTS);
         self.passes += search.passes;
         self.starts += search.starts;

@@ -103,6 +103,12 @@ pub(crate) struct Effort {
 }
 
 impl Effort {
+    /// As far as minima are told apart, by fewer points than follow.
+    pub const MEDIUM: Self = Self { gain: 0.25, patience: 2, step_bound: 1.0, starts_near: false };
+
+    /// To the end.
+    pub const FINISH: Self = Self { gain: 1e-3, patience: 16, step_bound: 1.0, starts_near: false };
+
     /// The same as a share of the cost, which is worth as many variances as the points weigh.
     fn tolerance(&self, points: &PointSet) -> f64 {
         (self.gain / points.weight()).max(LEAST_TOLERANCE)
@@ -235,7 +241,7 @@ pub(crate) mod tests {
         }
     }
 
-    const FAR: Effort = Effort { gain: 1e-6, patience: 16, step_bound: 1.0, starts_near: false };
+    const FAR: Effort = Effort { gain: 1e-6, ..Effort::FINISH };
     const NEAR: Effort = Effort { starts_near: true, ..FAR };
 
     fn model(size: [f64; 3], exponents: [f64; 2]) -> Model {

@@ -29,11 +29,10 @@ const SWITCHED_FINALISTS: usize = 4;
 const FINALISTS: usize = 3;
 
 /// To tell the finalists apart, and to leave little to do on more points.
-const MEDIUM: Effort = Effort { gain: 0.25, patience: 5, step_bound: 1.0, starts_near: false };
+const MEDIUM: Effort = Effort { patience: 5, ..Effort::MEDIUM };
 
-/// To the end, from afar and from the minimum of fewer points.
-const FINISH: Effort = Effort { gain: 1e-3, patience: 16, step_bound: 1.0, starts_near: false };
-const FINISH_NEAR: Effort = Effort { starts_near: true, ..FINISH };
+/// To the end, from the minimum of fewer points.
+const FINISH_NEAR: Effort = Effort { starts_near: true, ..Effort::FINISH };
 
 /// Where the descents have led.
 pub(crate) struct Found {
@@ -168,8 +167,8 @@ fn search(all: &PointSet, moments: &Moments, seed: u64) -> Search {
     }
     let all = PointSet { evidence: evidence.as_ref().unwrap_or(all.evidence), ..*all };
     if finalists == FINALISTS {
-        search.refine(&all, &FINISH, finalists);
-        search.look_around(&all, &FINISH, FINALISTS);
+        search.refine(&all, &Effort::FINISH, finalists);
+        search.look_around(&all, &Effort::FINISH, FINALISTS);
     } else {
         search.refine(&all, &FINISH_NEAR, finalists);
     }

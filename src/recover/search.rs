@@ -44,8 +44,7 @@ const SAME_SIZE: f64 = 0.02;
 const SAME_EXPONENT: f64 = 0.05;
 
 /// A brief descent: it must tell minima apart, not find them exactly.
-pub(crate) const BRIEF: Effort =
-    Effort { gain: 0.25, patience: 2, step_bound: 0.5, starts_near: false };
+pub(crate) const BRIEF: Effort = Effort { step_bound: 0.5, ..Effort::MEDIUM };
 
 /// Bookkeeping of a search: every descent, best first, and what they cost.
 #[derive(Debug, Default)]

@@ -61,8 +61,7 @@ impl<'a> Normalized<'a> {
     /// A descent to the end, over all points, from a model: where it leads, in the cloud's unit.
     pub fn descend(&self, start: &Model, distance: Distance) -> Option<Model> {
         let start = self.normalized(start);
-        let effort = Effort { gain: 1e-3, patience: 16, step_bound: 1.0, starts_near: false };
-        let descent = self.with_points(distance, |all| descend(all, &start, &effort))?;
+        let descent = self.with_points(distance, |all| descend(all, &start, &Effort::FINISH))?;
         Some(self.moments.normalization.cloud_from_normalized(&descent.model))
     }
 
