@@ -9,11 +9,12 @@
 
 use nalgebra::Vector3;
 
+use super::columns;
 use crate::cloud::PointColumns;
 use crate::model::Model;
 use crate::recover::descent::PointSet;
 use crate::recover::geometric::normal_log_gradient;
-use crate::recover::kernel::Gram;
+use crate::recover::kernel::{self, Gram, ModelView};
 use crate::recover::normalization::Normalization;
 use crate::recover::radial::PARAMETERS;
 use crate::recover::subset::Subset;
@@ -81,11 +82,25 @@ impl Facing {
     pub fn add_to(&self, gram: &mut Gram, model: &Model, weight: f64) {
         let root = (weight / self.0.len() as f64).sqrt();
         let deviation = (gram.geometric_squares / weight).sqrt();
-        for seen in &self.0 {
+        for seen in self.turned_away(model) {
             if let Some((beyond_rim, gradient)) = seen.beyond_rim(model, deviation) {
                 gram.add_row(root * beyond_rim, &gradient.map(|slope| root * slope));
             }
         }
+    }
+
+    /// Those on a side of a model that is turned away, be it by noise: of all points in vector code, as
+    /// few are.
+    fn turned_away(&self, model: &Model) -> impl Iterator<Item = &Seen> {
+        let in_frame = |seen: &Seen| off_planes(model.pose.model_from_world(&seen.point));
+        let points = columns(self.0.iter().map(in_frame));
+        let view = ModelView::of_shape(&model.shape);
+        let normals = kernel::normals(&view, points.each_ref().map(|column| &column[..]));
+        let turn = model.pose.rotation().inverse();
+        let is_away = move |(seen, normal): &(&Seen, [f64; 3])| {
+            Vector3::from(*normal).dot(&(turn * seen.to_sensor)) < 0.0
+        };
+        self.0.iter().zip(normals).filter(is_away).map(|(seen, _)| seen)
     }
 }
 
@@ -175,9 +190,14 @@ struct Turned {
     cosine: f64,
 }
 
+/// The place beside the planes of symmetry whose normal stands for a point's, in the model's frame.
+fn off_planes(x: Vector3<f64>) -> Vector3<f64> {
+    x.map(|x| x.abs().max(RIDGE).copysign(x))
+}
+
 impl Turned {
     fn at(x: Vector3<f64>, model: &Model, to_sensor: Vector3<f64>) -> Self {
-        let x = x.map(|x| x.abs().max(RIDGE).copysign(x));
+        let x = off_planes(x);
         let terms = GaugeTerms::at(x.into(), &model.shape.size(), &model.shape.exponents());
         let normal = Vector3::from_fn(|i, _| terms.weights[i] / x[i]).normalize();
         Self { x, terms, normal, to_sensor, cosine: normal.dot(&to_sensor) }

@@ -7,7 +7,7 @@
 
 use nalgebra::Vector3;
 
-use super::deepest::{Line, deepest_points};
+use super::deepest::{Line, deepest_points, not_entering};
 use crate::cloud::PointColumns;
 use crate::model::Model;
 use crate::recover::kernel::{self, Gram, ModelView};
@@ -89,13 +89,10 @@ impl FreeSpace {
         let shape = &model.shape;
         let origin = model.pose.model_from_world(&self.viewpoint);
         let turn = model.pose.rotation().inverse();
-        let blocked = |ray: &Ray| {
-            let line = Line::within_box(shape, origin, turn * ray.direction, ray.reach)?;
-            (!line.ends_entering(shape, ray.reach)).then_some(line)
-        };
-        let lines: Vec<Line> = rays.iter().filter_map(blocked).collect();
+        let within = |ray: &Ray| Line::within_box(shape, origin, turn * ray.direction, ray.reach);
+        let lines: Vec<Line> = rays.iter().filter_map(within).collect();
         let view = ModelView::of_shape(shape);
-        let [x, y, z] = deepest_points(&view, &lines);
+        let [x, y, z] = deepest_points(&view, not_entering(&view, lines));
         let roots = vec![weight.sqrt(); x.len()];
         gram.add_evidence(&kernel::gram(&view, [&x, &y, &z], Some(&roots), false));
     }

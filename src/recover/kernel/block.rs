@@ -77,14 +77,7 @@ pub(super) fn write_rows<L: Lane, const FMA: bool, const GEOMETRIC: bool>(
     scratch: &mut Scratch<L>,
     rows: &mut Rows,
 ) {
-    match points.map(<&Column<f64>>::try_from) {
-        [Ok(x), Ok(y), Ok(z)] => place(view, [x, y, z], scratch),
-        _ => place(view, padded(points).each_ref(), scratch),
-    }
-    equatorial_powers::<L, FMA>(view, scratch);
-    meridional_ratios::<L, FMA>(view, scratch);
-    meridional_sides(view, scratch);
-    meridional_powers::<L, FMA>(view, scratch);
+    write_powers::<L, FMA>(view, points, scratch);
     assemble::<L, GEOMETRIC>(view, scratch, rows);
     let count = points[0].len();
     if count < BLOCK {
@@ -94,6 +87,23 @@ pub(super) fn write_rows<L: Lane, const FMA: bool, const GEOMETRIC: bool>(
         rows.radial_squares[count..].fill(0.0);
         rows.geometric_squares[count..].fill(0.0);
     }
+}
+
+/// Writes the powers and logarithms of at most [`BLOCK`] points, of which rows are made.
+#[inline(always)]
+pub(super) fn write_powers<L: Lane, const FMA: bool>(
+    view: &ModelView,
+    points: [&[f64]; 3],
+    scratch: &mut Scratch<L>,
+) {
+    match points.map(<&Column<f64>>::try_from) {
+        [Ok(x), Ok(y), Ok(z)] => place(view, [x, y, z], scratch),
+        _ => place(view, padded(points).each_ref(), scratch),
+    }
+    equatorial_powers::<L, FMA>(view, scratch);
+    meridional_ratios::<L, FMA>(view, scratch);
+    meridional_sides(view, scratch);
+    meridional_powers::<L, FMA>(view, scratch);
 }
 
 /// Points in the model's frame, and the magnitudes whose ratios are wanted.

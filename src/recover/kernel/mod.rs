@@ -14,7 +14,7 @@ pub(crate) use gram::{COLUMNS, Gram};
 
 pub(crate) use view::{ModelView, Residual};
 
-use passes::{DistancesOf, GramOf};
+use passes::{DistancesOf, GramOf, NormalsOf};
 use rayon::prelude::*;
 
 use crate::cloud::PointColumns;
@@ -71,6 +71,11 @@ pub(crate) fn geometric_distances(
         distances.chunks_mut(CHUNK).enumerate().for_each(fill);
     }
     distances
+}
+
+/// The unit normal of the gauge's level at each point, in the model's frame.
+pub(crate) fn normals(view: &ModelView, points: PointColumns) -> Vec<[f64; 3]> {
+    vectorized::run(NormalsOf { view, points })
 }
 
 fn sum(grams: impl IntoIterator<Item = Gram>) -> Gram {

@@ -1,8 +1,9 @@
 //! The passes over points, block by block, compiled for each instruction set, and once for each
 //! precision and residual.
 
-use super::block::{Scratch, write_rows};
+use super::block::{Scratch, write_powers, write_rows};
 use super::gram::{BLOCK, Gram, Rows};
+use super::point::Point;
 use super::view::ModelView;
 use crate::machine::Products;
 use crate::machine::vectorized::Kernel;
@@ -75,5 +76,31 @@ impl Kernel for DistancesOf<'_> {
                 *distance = square.sqrt().copysign(*sign);
             }
         }
+    }
+}
+
+/// The unit normal of the gauge's level at each point, in the model's frame.
+pub(super) struct NormalsOf<'a> {
+    pub view: &'a ModelView,
+    pub points: [&'a [f64]; 3],
+}
+
+impl Kernel for NormalsOf<'_> {
+    type Output = Vec<[f64; 3]>;
+
+    #[inline(always)]
+    fn run<const FMA: bool, P: Products>(self) -> Self::Output {
+        let Self { view, points: [xs, ys, zs] } = self;
+        let mut scratch = Scratch::<f64>::new();
+        let mut normals = vec![[0.0; 3]; xs.len()];
+        for (index, normals) in normals.chunks_mut(BLOCK).enumerate() {
+            let (start, end) = (index * BLOCK, index * BLOCK + normals.len());
+            let block = [&xs[start..end], &ys[start..end], &zs[start..end]];
+            write_powers::<f64, FMA>(view, block, &mut scratch);
+            for (i, normal) in normals.iter_mut().enumerate() {
+                *normal = Point::at(view, &scratch, i).normal();
+            }
+        }
+        normals
     }
 }

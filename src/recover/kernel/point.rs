@@ -118,6 +118,18 @@ impl<L: Lane> Point<L> {
         self.q[0] * self.q[0] + self.q[1] * self.q[1] + self.q[2] * self.q[2]
     }
 
+    /// The unit normal of the gauge's level through the point, in the model's frame.
+    #[inline(always)]
+    pub(super) fn normal(&self) -> [L; 3] {
+        let inverse = L::of(1.0) / self.square_stretch().sqrt();
+        let [x, y, z] = self.x;
+        [
+            with_sign_of(x, self.q[0] * inverse),
+            with_sign_of(y, self.q[1] * inverse),
+            with_sign_of(z, self.q[2] * inverse),
+        ]
+    }
+
     /// The geometric distance and its derivatives, as in `geometric_row`.
     #[inline(always)]
     pub(super) fn geometric_row(

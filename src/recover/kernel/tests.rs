@@ -218,6 +218,27 @@ fn every_path_sums_the_scalar_rows() {
     }
 }
 
+#[test]
+fn every_path_has_the_normals_of_the_gauge() {
+    let shape = Superellipsoid::new([0.5, 1.0, 1.5], [0.4, 1.3]).unwrap();
+    let pose = Pose::from_euler_zyz([0.3, 0.8, -1.0], Vector3::new(0.1, 0.0, -0.2));
+    let view = view_of(shape, pose, Residual::Geometric);
+    for count in COUNTS {
+        let points = &random_points(&mut ChaCha8Rng::seed_from_u64(6), *count);
+        let [x, y, z] = columns(points);
+        for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
+            let normals = run_by(set, NormalsOf { view: &view, points: [&x, &y, &z] });
+            assert_eq!(normals.len(), points.len());
+            for (point, normal) in points.iter().zip(normals) {
+                let x_model = pose.model_from_world(&Vector3::from(*point));
+                let expected = shape.gauge_gradient(&x_model).normalize();
+                let error = (Vector3::from(normal) - expected).norm();
+                assert!(error < 1e-13, "{set:?} at {point:?}: {error}");
+            }
+        }
+    }
+}
+
 fn each_distance(set: InstructionSet, view: &ModelView, points: [&[f64]; 3]) -> Vec<f64> {
     let mut distances = vec![0.0; points[0].len()];
     run_by(set, DistancesOf { view, points, distances: &mut distances });
