@@ -82,26 +82,27 @@ impl Facing {
     pub fn add_to(&self, gram: &mut Gram, model: &Model, weight: f64) {
         let root = (weight / self.0.len() as f64).sqrt();
         let deviation = (gram.geometric_squares / weight).sqrt();
-        for seen in self.turned_away(model) {
+        // Few are: the others need no more than their normals.
+        let is_away = are_turned_away(&self.0, model);
+        for (seen, _) in self.0.iter().zip(is_away).filter(|(_, is_away)| *is_away) {
             if let Some((beyond_rim, gradient)) = seen.beyond_rim(model, deviation) {
                 gram.add_row(root * beyond_rim, &gradient.map(|slope| root * slope));
             }
         }
     }
+}
 
-    /// Those on a side of a model that is turned away, be it by noise: of all points in vector code, as
-    /// few are.
-    fn turned_away(&self, model: &Model) -> impl Iterator<Item = &Seen> {
-        let in_frame = |seen: &Seen| off_planes(model.pose.model_from_world(&seen.point));
-        let points = columns(self.0.iter().map(in_frame));
-        let view = ModelView::of_shape(&model.shape);
-        let normals = kernel::normals(&view, points.each_ref().map(|column| &column[..]));
-        let turn = model.pose.rotation().inverse();
-        let is_away = move |(seen, normal): &(&Seen, [f64; 3])| {
-            Vector3::from(*normal).dot(&(turn * seen.to_sensor)) < 0.0
-        };
-        self.0.iter().zip(normals).filter(is_away).map(|(seen, _)| seen)
-    }
+/// Whether each point is on a side of a model that is turned away, be it by noise.
+pub(super) fn are_turned_away(seen: &[Seen], model: &Model) -> Vec<bool> {
+    let in_frame = |seen: &Seen| off_planes(model.pose.model_from_world(&seen.point));
+    let points = columns(seen.iter().map(in_frame));
+    let view = ModelView::of_shape(&model.shape);
+    let normals = kernel::normals(&view, points.each_ref().map(|column| &column[..]));
+    let turn = model.pose.rotation().inverse();
+    let is_away = |(seen, normal): (&Seen, [f64; 3])| {
+        Vector3::from(normal).dot(&(turn * seen.to_sensor)) < 0.0
+    };
+    seen.iter().zip(normals).map(is_away).collect()
 }
 
 /// Points that stand for all, in normalised coordinates.

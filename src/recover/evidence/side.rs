@@ -7,7 +7,7 @@
 
 use nalgebra::Vector3;
 
-use super::facing::{Seen, direction_faced_around};
+use super::facing::{Seen, are_turned_away, direction_faced_around};
 use crate::model::Model;
 use crate::recover::descent::PointSet;
 use crate::recover::search::is_noisy;
@@ -48,13 +48,15 @@ impl Side {
         let least = if is_noisy(deviation) { LEAST_ODDS_IN_DOUBT } else { LEAST_ODDS };
         let normalized = Subset::normalized(points.points, points.normalization);
         let [xs, ys, zs] = normalized.columns();
-        let odds = |((x, y), z): ((&f64, &f64), &f64)| {
-            let seen = self.seen(Vector3::new(*x, *y, *z));
-            let Some((distance, cosine)) = seen.away(model, deviation) else { return 1.0 };
+        let points = xs.iter().zip(ys).zip(zs).map(|((x, y), z)| Vector3::new(*x, *y, *z));
+        let seen: Vec<Seen> = points.map(|point| self.seen(point)).collect();
+        let odds = |(seen, is_away): (&Seen, bool)| {
+            let away = if is_away { seen.away(model, deviation) } else { None };
+            let Some((distance, cosine)) = away else { return 1.0 };
             let inverse = (deviation / distance).powi(2) + (COSINE_ERROR / cosine).powi(2);
             (-0.5 / inverse).exp().max(least)
         };
-        xs.iter().zip(ys).zip(zs).map(odds).collect()
+        seen.iter().zip(are_turned_away(&seen, model)).map(odds).collect()
     }
 
     fn seen(&self, point: Vector3<f64>) -> Seen {
