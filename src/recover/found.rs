@@ -31,9 +31,6 @@ const FINALISTS: usize = 3;
 /// To tell the finalists apart, and to leave little to do on more points.
 const MEDIUM: Effort = Effort { patience: 5, ..Effort::MEDIUM };
 
-/// To the end, from the minimum of fewer points.
-const FINISH_NEAR: Effort = Effort { starts_near: true, ..Effort::FINISH };
-
 /// Where the descents have led.
 pub(crate) struct Found {
     pub best: Descent,
@@ -141,36 +138,38 @@ impl Surface {
 /// The search: on a few hundred points for the minima, from coarse to fine for the best of them.
 fn search(all: &PointSet, moments: &Moments, seed: u64) -> Search {
     let few = Subset::stratified(all.points, COARSE_POINTS, seed);
-    let few = PointSet { points: few.columns(), parallel: false, ..*all };
+    let single = PointSet { precision: Precision::Single, ..*all };
+    let few = PointSet { points: few.columns(), parallel: false, ..single };
     let few = PointSet { evidence: &all.evidence.for_search(), ..few };
     let mut search = Search::coarse(&PointSet { residual: Residual::Radial, ..few }, moments);
     if all.residual != Residual::Radial {
         search.refine(&few, &BRIEF, SWITCHED_FINALISTS);
     }
-    let (mut finalists, mut evidence) = (FINALISTS, None);
-    for count in [FIRST_STAGE, (FIRST_STAGE * all.len()).isqrt()] {
-        if all.len() >= WORTH_A_STAGE * count {
-            let some = Subset::stratified(all.points, count, seed);
-            let some = PointSet {
-                points: some.columns(),
-                evidence: evidence.as_ref().unwrap_or(all.evidence),
-                parallel: all.parallel && count >= PARALLEL_POINTS,
-                precision: Precision::Single,
-                ..*all
-            };
-            search.refine(&some, &MEDIUM, finalists);
-            if finalists == FINALISTS {
-                evidence = search.look_around(&some, &MEDIUM, FINALISTS);
-            }
-            finalists = 1;
+    let (mut finalists, mut evidence, mut reached) = (FINALISTS, None, 0);
+    for count in stages(all.len()) {
+        let some = Subset::stratified(all.points, count, seed);
+        let some = PointSet {
+            points: some.columns(),
+            evidence: evidence.as_ref().unwrap_or(all.evidence),
+            parallel: all.parallel && count >= PARALLEL_POINTS,
+            ..single
+        };
+        search.refine(&some, &MEDIUM, finalists);
+        if reached == 0 {
+            evidence = search.look_around(&some, &MEDIUM, FINALISTS);
         }
+        (finalists, reached) = (1, count);
     }
     let all = PointSet { evidence: evidence.as_ref().unwrap_or(all.evidence), ..*all };
-    if finalists == FINALISTS {
-        search.refine(&all, &Effort::FINISH, finalists);
-        search.look_around(&all, &Effort::FINISH, FINALISTS);
-    } else {
-        search.refine(&all, &FINISH_NEAR, finalists);
-    }
+    let finish = Effort { starts_near: reached < all.len(), ..Effort::FINISH };
+    search.refine(&all, &finish, finalists);
     search
+}
+
+/// The points of each stage before the last, which has all: all, too, where these are few.
+fn stages(all: usize) -> Vec<usize> {
+    let fewer = [FIRST_STAGE, (FIRST_STAGE * all).isqrt()];
+    let worth: Vec<usize> =
+        fewer.into_iter().filter(|count| all >= WORTH_A_STAGE * count).collect();
+    if worth.is_empty() { vec![all] } else { worth }
 }

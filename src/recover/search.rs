@@ -5,6 +5,7 @@ use super::descent::{Descent, Effort, PointSet, descend_beside};
 use super::evidence::{Evidence, Facing, SeenArea};
 use super::kernel::Residual;
 use super::normalization::Moments;
+use super::options::Precision;
 use super::start::{ambiguous_starts, principal_starts};
 use super::subset::Subset;
 use super::switches::{deflated, other_frames, switches};
@@ -26,7 +27,14 @@ const HALF_SEEN: f64 = 1.3;
 const CORRELATED_POINTS: usize = 256;
 const MISFIT: f64 = 0.3;
 
-/// A brief descent of a second look that ends within this ratio of the best loss is taken further.
+/// Residuals, as a share of the RMS radius, that are no more than rounding.
+const EXACT: f64 = 1e-6;
+
+/// Points on which a second look descends, the share of the rays and what else was seen, how far, and the
+/// ratio to the best loss within which what it finds is taken further.
+const LOOK_POINTS: usize = 400;
+const LOOK_EVERY: usize = 3;
+const GLANCE: Effort = Effort { gain: 2.0, ..BRIEF };
 const NEAR: f64 = 1.05;
 
 /// Rounds of a second look, and the gain in the logarithm of the likelihood that calls for another.
@@ -60,11 +68,11 @@ impl Search {
     /// Descends from the principal axes, by switches, and from the frames between them.
     pub fn coarse(points: &PointSet, moments: &Moments) -> Self {
         let mut search = Self::default();
-        search.try_all(points, &principal_starts(moments));
+        search.try_all(points, &principal_starts(moments), &BRIEF);
         search.try_switches(points);
         if !search.has_clear_winner() {
             let before = search.least_loss();
-            search.try_all(points, &ambiguous_starts(moments));
+            search.try_all(points, &ambiguous_starts(moments), &BRIEF);
             if search.least_loss() < WORTHWHILE * before {
                 search.try_switches(points);
             }
@@ -96,28 +104,46 @@ impl Search {
     }
 
     /// Looks around the best minimum of the geometric distance for better ones, if it is open to
-    /// doubt, on the points it was found on: the coarse search has but few points and looks at one
-    /// switch at a time.
+    /// doubt: the coarse search has but few points and looks at one switch at a time.
     pub fn look_again(&mut self, points: &PointSet, effort: &Effort) {
         for _ in 0..LOOKS {
             let Some(best) = self.candidates.first().filter(|best| is_open(points, best)) else {
                 return;
             };
             let (model, before) = (best.model, best.loss);
-            let starts: Vec<Model> =
-                other_frames(&model).into_iter().chain(deflated(&model)).collect();
-            let mut others = Self::default();
-            others.try_all(points, &starts);
-            self.passes += others.passes;
-            self.starts += others.starts;
-            if let Some(other) = others.into_best().filter(|other| other.loss < NEAR * before) {
-                self.descend(points, &other.model, effort);
+            if let Some(other) = self.other_minimum_around(&model, points) {
+                self.descend(points, &other, effort);
             }
             let gain = 0.5 * points.weight() * (before / self.least_loss()).ln();
             if gain < LIKELIER {
                 return;
             }
         }
+    }
+
+    /// The best minimum around a model but its own, as some of the points have it, if they leave it
+    /// open which is better. They count as all do, and so does a part of the evidence.
+    fn other_minimum_around(&mut self, model: &Model, points: &PointSet) -> Option<Model> {
+        let some = Subset::stratified(points.points, LOOK_POINTS, 0);
+        let count = some.columns()[0].len();
+        let roots = vec![(points.weight() / count as f64).sqrt(); count];
+        let some = PointSet {
+            points: some.columns(),
+            root_weights: Some(&roots),
+            parallel: false,
+            precision: Precision::Single,
+            evidence: &points.evidence.thinned(LOOK_EVERY),
+            ..*points
+        };
+        let mut search = Self::default();
+        search.descend(&some, model, &GLANCE);
+        let near = NEAR * search.least_loss();
+        let starts: Vec<Model> = other_frames(model).into_iter().chain(deflated(model)).collect();
+        search.try_all(&some, &starts, &GLANCE);
+        self.passes += search.passes;
+        self.starts += search.starts;
+        let is_near = |other: &Descent| other.loss < near && !is_same_minimum(&other.model, model);
+        search.candidates.into_iter().find(is_near).map(|other| other.model)
     }
 
     /// Takes the best few further as what was seen from one side, if noise and what is not seen leave
@@ -146,7 +172,7 @@ impl Search {
         for _ in 0..SWITCH_ROUNDS {
             let Some(best) = self.candidates.first() else { return };
             let (model, before) = (best.model, best.loss);
-            self.try_all(points, &switches(&model));
+            self.try_all(points, &switches(&model), &BRIEF);
             if self.least_loss() >= WORTHWHILE * before {
                 return;
             }
@@ -179,10 +205,10 @@ impl Search {
         self.candidates.first().map_or(f64::INFINITY, |best| best.loss)
     }
 
-    fn try_all(&mut self, points: &PointSet, starts: &[Model]) {
+    fn try_all(&mut self, points: &PointSet, starts: &[Model], effort: &Effort) {
         for start in starts {
             self.starts += 1;
-            self.descend(points, start, &BRIEF);
+            self.descend(points, start, effort);
         }
     }
 
@@ -199,7 +225,7 @@ impl Search {
 
 /// Whether the best minimum misfits, or is in doubt.
 fn is_open(points: &PointSet, best: &Descent) -> bool {
-    if points.residual == Residual::Radial {
+    if points.residual == Residual::Radial || best.geometric_mean_square.sqrt() < EXACT {
         return false;
     }
     is_depth_in_doubt(points, best) || is_misfit(points, &best.model)

@@ -10,6 +10,7 @@ use super::descent::{Descent, PointSet};
 use super::kernel::Residual;
 use super::mixture::{Mixture, Room};
 use super::one_side::Sided;
+use super::options::Precision;
 use super::subset::Subset;
 use super::survey::Survey;
 
@@ -40,7 +41,7 @@ pub(crate) fn fit_among_clutter(
     seed: u64,
 ) -> Option<Recovery> {
     let all = PointSet { residual: Residual::Geometric, ..*all };
-    let sample = PointSet { points: survey.points.columns(), parallel: false, ..all };
+    let sample = sample(&all, survey);
     let odds = Some(&clutter.odds[..]);
 
     let core = Subset::of(sample.points, &clutter.surface());
@@ -69,7 +70,7 @@ pub(crate) fn set_outliers_apart(
     plain: &Descent,
     seed: u64,
 ) -> Option<Recovery> {
-    let sample = PointSet { points: survey.points.columns(), parallel: false, ..*all };
+    let sample = sample(all, survey);
     let squares = sample.geometric_squares(&plain.model);
     let variance = squares.iter().sum::<f64>() / squares.len() as f64;
     let without = Mixture { variance, stray_share: 0.0, room: survey.room };
@@ -89,6 +90,12 @@ pub(crate) fn set_outliers_apart(
     let on_all = alternate(all, None, &best.descent.model, best.mixture, ON_ALL)?;
     let fit = finish(all, without_ends_of_strays(all, None, on_all)?)?;
     Some(Recovery { passes: search.passes + fit.passes, starts: search.starts, fit })
+}
+
+/// The sample, on which all is done but the end.
+fn sample<'a>(all: &PointSet<'a>, survey: &'a Survey) -> PointSet<'a> {
+    let points = survey.points.columns();
+    PointSet { points, parallel: false, precision: Precision::Single, ..*all }
 }
 
 /// Whether points with these squared distances from a model gain by outliers, be it not as much as

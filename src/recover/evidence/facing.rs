@@ -77,6 +77,11 @@ impl Facing {
         Self(self.0.iter().map(there).collect())
     }
 
+    /// Of one point in so many.
+    pub fn thinned(&self, every: usize) -> Self {
+        Self(self.0.iter().step_by(every).copied().collect())
+    }
+
     /// Adds a row for each point that is on a side turned away: together the points stand for others
     /// of that weight, whose distances are in the Gram matrix.
     pub fn add_to(&self, gram: &mut Gram, model: &Model, weight: f64) {

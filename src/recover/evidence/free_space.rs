@@ -26,6 +26,8 @@ pub(crate) struct FreeSpace {
     beside: Vec<Ray>,
     /// Those that ended on it.
     onto: Vec<Ray>,
+    /// Weight of each of these: the rays that it stands for.
+    weight_onto: f64,
 }
 
 /// A ray by its direction, a unit vector, and the length over which it is free.
@@ -52,6 +54,7 @@ impl FreeSpace {
             viewpoint,
             beside: sight.free.iter().filter_map(beside).collect(),
             onto: (0..hits[0].len()).filter_map(onto).collect(),
+            weight_onto: 1.0,
         }
     }
 
@@ -70,6 +73,7 @@ impl FreeSpace {
             viewpoint: to.point_of(from, &self.viewpoint),
             beside: scaled(&self.beside),
             onto: scaled(&self.onto),
+            weight_onto: self.weight_onto,
         }
     }
 
@@ -78,11 +82,22 @@ impl FreeSpace {
         Self { onto: Vec::new(), ..self.clone() }
     }
 
+    /// With one ray in so many.
+    pub fn thinned(&self, every: usize) -> Self {
+        let some = |rays: &[Ray]| rays.iter().step_by(every).copied().collect();
+        Self {
+            beside: some(&self.beside),
+            onto: some(&self.onto),
+            weight_onto: self.weight_onto * every as f64,
+            ..*self
+        }
+    }
+
     /// Adds a row for each ray that the model blocks.
     pub fn add_to(&self, gram: &mut Gram, model: &Model, weight: f64) {
         let weight_beside = WEIGHT_BESIDE * weight / self.beside.len() as f64;
         self.add_rows(&self.beside, weight_beside, gram, model);
-        self.add_rows(&self.onto, 1.0, gram, model);
+        self.add_rows(&self.onto, self.weight_onto, gram, model);
     }
 
     fn add_rows(&self, rays: &[Ray], weight: f64, gram: &mut Gram, model: &Model) {
@@ -148,6 +163,20 @@ mod tests {
             assert!((square.sqrt() - 0.9).abs() < 1e-6, "{square}");
         }
         assert_eq!(squares(&along_z(3.9), &sphere(0.1)), 0.0);
+    }
+
+    #[test]
+    fn of_rays_alike_a_part_weighs_as_much_as_all() {
+        let sight = Sight {
+            viewpoint: [0.0, 0.0, -5.0],
+            free: vec![SightLine { direction: [0.0, 0.0, 1.0], reach: f64::INFINITY }; 6],
+        };
+        let hits = [0.0; 6];
+        let all = FreeSpace::new(&sight, [&hits, &hits, &[2.0; 6]], &Normalization::identity());
+        let [of_all, of_some] =
+            [all.clone(), all.thinned(3)].map(|rays| squares(&rays, &sphere(0.1)));
+        assert!(of_all > 0.0 && (of_some / of_all - 1.0).abs() < 1e-12, "{of_some} {of_all}");
+        assert_eq!((all.thinned(3).beside.len(), all.thinned(3).onto.len()), (2, 2));
     }
 
     #[test]

@@ -53,6 +53,15 @@ impl Evidence {
         Self { free_space, facing: None, ..self.clone() }
     }
 
+    /// With one of so many points that face the sensor, and of so many rays, which stand for all.
+    pub fn thinned(&self, every: usize) -> Self {
+        Self {
+            facing: self.facing.as_ref().map(|facing| facing.thinned(every)),
+            free_space: self.free_space.as_ref().map(|space| space.thinned(every)),
+            ..self.clone()
+        }
+    }
+
     /// What was seen, without what is only usual.
     pub fn seen(&self) -> Self {
         Self { seen_area: None, ..self.clone() }
