@@ -101,10 +101,23 @@ const PLAIN: Hard = Hard {
     tells_viewpoint: false,
 };
 
-const HARD: [Hard; 8] = [
+const HARD: [Hard; 10] = [
     PLAIN,
     Hard { name: "one side", noise: 0.01, is_one_sided: true, ..PLAIN },
     Hard { name: "one side, 5 % of noise", is_one_sided: true, ..PLAIN },
+    Hard {
+        name: "one side, viewpoint told",
+        noise: 0.01,
+        is_one_sided: true,
+        tells_viewpoint: true,
+        ..PLAIN
+    },
+    Hard {
+        name: "one side, 5 % of noise, viewpoint told",
+        is_one_sided: true,
+        tells_viewpoint: true,
+        ..PLAIN
+    },
     Hard { name: "20 % of strays", noise: 0.01, points: 2_000, strays: 0.2, ..PLAIN },
     Hard { name: "60 % of strays", noise: 0.01, points: 2_000, strays: 0.6, ..PLAIN },
     Hard { name: "80 % of strays", noise: 0.01, points: 3_000, strays: 0.8, ..PLAIN },

@@ -31,6 +31,9 @@ const FINALISTS: usize = 3;
 /// To tell the finalists apart, and to leave little to do on more points.
 const MEDIUM: Effort = Effort { patience: 5, ..Effort::MEDIUM };
 
+/// To the end, from a minimum that is known to little less.
+const FINISH_NEAR: Effort = Effort { starts_near: true, ..Effort::FINISH };
+
 /// Where the descents have led.
 pub(crate) struct Found {
     pub best: Descent,
@@ -145,8 +148,8 @@ fn search(all: &PointSet, moments: &Moments, seed: u64) -> Search {
     if all.residual != Residual::Radial {
         search.refine(&few, &BRIEF, SWITCHED_FINALISTS);
     }
-    let (mut finalists, mut evidence, mut reached) = (FINALISTS, None, 0);
-    for count in stages(all.len()) {
+    let mut evidence = None;
+    for (stage, count) in stages(all.len()).into_iter().enumerate() {
         let some = Subset::stratified(all.points, count, seed);
         let some = PointSet {
             points: some.columns(),
@@ -154,15 +157,15 @@ fn search(all: &PointSet, moments: &Moments, seed: u64) -> Search {
             parallel: all.parallel && count >= PARALLEL_POINTS,
             ..single
         };
-        search.refine(&some, &MEDIUM, finalists);
-        if reached == 0 {
-            evidence = search.look_around(&some, &MEDIUM, FINALISTS);
+        if stage > 0 {
+            search.refine(&some, &MEDIUM, 1);
+            continue;
         }
-        (finalists, reached) = (1, count);
+        search.refine(&some, &MEDIUM, FINALISTS);
+        evidence = search.look_around(&some, &MEDIUM, FINALISTS);
     }
     let all = PointSet { evidence: evidence.as_ref().unwrap_or(all.evidence), ..*all };
-    let finish = Effort { starts_near: reached < all.len(), ..Effort::FINISH };
-    search.refine(&all, &finish, finalists);
+    search.refine(&all, &FINISH_NEAR, 1);
     search
 }
 

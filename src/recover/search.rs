@@ -32,7 +32,7 @@ const EXACT: f64 = 1e-6;
 
 /// Points on which a second look descends, the share of the rays and what else was seen, how far, and the
 /// ratio to the best loss within which what it finds is taken further.
-const LOOK_POINTS: usize = 400;
+const LOOK_POINTS: usize = 300;
 const LOOK_EVERY: usize = 3;
 const GLANCE: Effort = Effort { gain: 2.0, ..BRIEF };
 const NEAR: f64 = 1.05;
