@@ -1,6 +1,9 @@
 //! The rows of a block of points, by columns: the arithmetic of [`radial_row`] in short loops
 //! over scratch columns, each of which the compiler turns into vector code.
 //!
+//! A loop holds one logarithm or exponential at most: the processor works on as many points at once as
+//! it has room for instructions, and waits for the longest chain among them.
+//!
 //! [`radial_row`]: crate::recover::radial::radial_row
 
 use super::gram::{BLOCK, Rows};
@@ -141,9 +144,10 @@ fn equatorial_powers<L: Lane, const FMA: bool>(view: &ModelView, scratch: &mut S
     let power = L::of(2.0 / view.exponents[1]);
     for i in 0..BLOCK {
         let log_ratio = ln_ratio::<FMA, L>(scratch.equator_log_power[i], scratch.equator[i]);
-        let log_power = greater(power * log_ratio, L::LOG_FLOOR);
-        scratch.equator_log_power[i] = log_power;
-        scratch.equator_power[i] = exp::<FMA, L>(log_power);
+        scratch.equator_log_power[i] = greater(power * log_ratio, L::LOG_FLOOR);
+    }
+    for i in 0..BLOCK {
+        scratch.equator_power[i] = exp::<FMA, L>(scratch.equator_log_power[i]);
     }
 }
 
@@ -153,10 +157,12 @@ fn meridional_ratios<L: Lane, const FMA: bool>(view: &ModelView, scratch: &mut S
     let (half_e2, power) = (L::of(0.5 * e2), L::of(-2.0 / e1));
     for i in 0..BLOCK {
         let (log_sum, share) = ln_1p_and_inverse::<FMA, L>(scratch.equator_power[i]);
-        let log_ratio = ln_ratio::<FMA, L>(scratch.equator[i], scratch.axial[i]);
-        let log_ratio = mul_add::<FMA, L>(half_e2, log_sum, log_ratio);
         scratch.equator_log_sum[i] = log_sum;
         scratch.equator_share[i] = share;
+    }
+    for i in 0..BLOCK {
+        let log_ratio = ln_ratio::<FMA, L>(scratch.equator[i], scratch.axial[i]);
+        let log_ratio = mul_add::<FMA, L>(half_e2, scratch.equator_log_sum[i], log_ratio);
         scratch.meridian_log_ratio[i] = log_ratio;
         scratch.meridian_log_power[i] = greater(power * log_ratio.abs(), L::LOG_FLOOR);
     }
@@ -179,12 +185,16 @@ fn meridional_sides<L: Lane>(view: &ModelView, scratch: &mut Scratch<L>) {
 fn meridional_powers<L: Lane, const FMA: bool>(view: &ModelView, scratch: &mut Scratch<L>) {
     let half_e1 = L::of(0.5 * view.exponents[0]);
     for i in 0..BLOCK {
-        let power = exp::<FMA, L>(scratch.meridian_log_power[i]);
-        let (log_sum, share) = ln_1p_and_inverse::<FMA, L>(power);
-        scratch.meridian_power[i] = power;
+        scratch.meridian_power[i] = exp::<FMA, L>(scratch.meridian_log_power[i]);
+    }
+    for i in 0..BLOCK {
+        let (log_sum, share) = ln_1p_and_inverse::<FMA, L>(scratch.meridian_power[i]);
         scratch.meridian_share[i] = share;
         scratch.meridian_log_sum[i] = log_sum;
-        let log_norm = mul_add::<FMA, L>(half_e1, log_sum, scratch.greatest_log_norm[i]);
+    }
+    for i in 0..BLOCK {
+        let log_norm =
+            mul_add::<FMA, L>(half_e1, scratch.meridian_log_sum[i], scratch.greatest_log_norm[i]);
         scratch.inverse_gauge[i] = exp::<FMA, L>(-log_norm) / scratch.greatest[i];
     }
 }
