@@ -76,7 +76,8 @@ def test_each_distance_is_least_where_it_is_minimised(points):
 def test_single_precision_loses_nothing_beside_the_noise(points):
     double, single = (superquadric.fit(points, precision=p) for p in ("double", "single"))
     assert double.model == superquadric.fit(points).model
-    assert single.model != double.model
+    # The last step may be the same, but not what it leaves.
+    assert single.rms_geometric != double.rms_geometric
     difference = np.abs(np.subtract(single.model.size, double.model.size))
     assert (difference < 0.1 * double.standard_errors[:3]).all()
     with pytest.raises(ValueError, match="'double' or 'single', found 'half'"):
