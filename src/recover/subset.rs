@@ -1,5 +1,6 @@
 //! A part of the points, spread evenly over their order, for the coarse stages.
 
+use nalgebra::Vector3;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -50,6 +51,16 @@ impl Subset {
     /// The columns.
     pub fn columns(&self) -> PointColumns<'_> {
         [&self.0[0], &self.0[1], &self.0[2]]
+    }
+}
+
+impl FromIterator<Vector3<f64>> for Subset {
+    fn from_iter<I: IntoIterator<Item = Vector3<f64>>>(points: I) -> Self {
+        let mut columns = [Vec::new(), Vec::new(), Vec::new()];
+        for point in points {
+            columns.iter_mut().zip(&point).for_each(|(column, x)| column.push(*x));
+        }
+        Self(columns)
     }
 }
 

@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 
-use super::columns;
 use crate::recover::kernel::{ModelView, geometric_distances, normals};
+use crate::recover::subset::Subset;
 use crate::shape::Superellipsoid;
 
 /// Places along each line that are looked at in a round: few lines fill the vectors with them.
@@ -83,29 +83,29 @@ fn vertex(values: &[f64]) -> f64 {
 
 /// Those lines on which the solid is not just being entered where they end.
 pub(super) fn not_entering(view: &ModelView, lines: Vec<Line>) -> Vec<Line> {
-    let ends = columns(lines.iter().map(|line| line.at(line.high)));
-    let normals = normals(view, ends.each_ref().map(|column| &column[..]));
+    let ends: Subset = lines.iter().map(|line| line.at(line.high)).collect();
+    let normals = normals(view, ends.columns());
     let is_kept = |(line, normal): &(Line, [f64; 3])| {
         !line.ends_within || line.direction.dot(&Vector3::from(*normal)) > 0.0
     };
     lines.into_iter().zip(normals).filter(is_kept).map(|(line, _)| line).collect()
 }
 
-/// The deepest point of each line by the first-order geometric distance, as columns; of those lines
-/// only that are within the solid there. `view` is the shape's own.
+/// The deepest point of each line by the first-order geometric distance; of those lines only that are
+/// within the solid there. `view` is the shape's own.
 ///
 /// Far inside, where a line passes near the centre, the distance has other minima, too: of these it
 /// may be any.
-pub(super) fn deepest_points(view: &ModelView, mut lines: Vec<Line>) -> [Vec<f64>; 3] {
-    let mut deepest = Vec::new();
+pub(super) fn deepest_points(view: &ModelView, mut lines: Vec<Line>) -> Subset {
+    let mut deepest: Vec<Option<Vector3<f64>>> = Vec::new();
     for _ in 0..ROUNDS {
         let points = lines.iter().flat_map(|line| (0..PLACES).map(|k| line.at(line.place(k))));
-        let points = columns(points);
-        let found = geometric_distances(view, points.each_ref().map(|column| &column[..]), false);
+        let points: Subset = points.collect();
+        let found = geometric_distances(view, points.columns(), false);
         deepest =
             lines.iter_mut().zip(found.chunks(PLACES)).map(|(line, d)| line.narrow(d)).collect();
     }
-    columns(deepest.into_iter().flatten())
+    deepest.into_iter().flatten().collect()
 }
 
 #[cfg(test)]
@@ -125,7 +125,8 @@ mod tests {
             let least = |x: &Vector3<f64>| (shape.gauge(x) - 1.0) / shape.gauge_gradient(x).norm();
             let tried = (0..=20_000).map(|i| least(&line.at(1.0 + f64::from(i) * 2e-4)));
             let expected = tried.fold(f64::INFINITY, f64::min);
-            let [x, y, z] = deepest_points(&view, vec![line]);
+            let deepest = deepest_points(&view, vec![line]);
+            let [x, y, z] = deepest.columns();
             assert_eq!(x.is_empty(), expected > 0.0);
             // Near the centre there are several minima.
             if x.is_empty() || expected < -0.5 {

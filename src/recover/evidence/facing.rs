@@ -9,7 +9,6 @@
 
 use nalgebra::Vector3;
 
-use super::columns;
 use crate::cloud::PointColumns;
 use crate::model::Model;
 use crate::recover::descent::PointSet;
@@ -100,9 +99,9 @@ impl Facing {
 /// Whether each point is on a side of a model that is turned away, be it by noise.
 pub(super) fn are_turned_away(seen: &[Seen], model: &Model) -> Vec<bool> {
     let in_frame = |seen: &Seen| off_planes(model.pose.model_from_world(&seen.point));
-    let points = columns(seen.iter().map(in_frame));
+    let points: Subset = seen.iter().map(in_frame).collect();
     let view = ModelView::of_shape(&model.shape);
-    let normals = kernel::normals(&view, points.each_ref().map(|column| &column[..]));
+    let normals = kernel::normals(&view, points.columns());
     let turn = model.pose.rotation().inverse();
     let is_away = |(seen, normal): (&Seen, [f64; 3])| {
         Vector3::from(normal).dot(&(turn * seen.to_sensor)) < 0.0

@@ -107,9 +107,10 @@ impl FreeSpace {
         let within = |ray: &Ray| Line::within_box(shape, origin, turn * ray.direction, ray.reach);
         let lines: Vec<Line> = rays.iter().filter_map(within).collect();
         let view = ModelView::of_shape(shape);
-        let [x, y, z] = deepest_points(&view, not_entering(&view, lines));
-        let roots = vec![weight.sqrt(); x.len()];
-        gram.add_evidence(&kernel::gram(&view, [&x, &y, &z], Some(&roots), false));
+        let deepest = deepest_points(&view, not_entering(&view, lines));
+        let deepest = deepest.columns();
+        let roots = vec![weight.sqrt(); deepest[0].len()];
+        gram.add_evidence(&kernel::gram(&view, deepest, Some(&roots), false));
     }
 }
 

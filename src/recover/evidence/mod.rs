@@ -13,8 +13,6 @@ pub(crate) use seen_area::SeenArea;
 pub(crate) use side::Side;
 pub(crate) use support::Support;
 
-use nalgebra::Vector3;
-
 use super::kernel::Gram;
 use super::normalization::Normalization;
 use crate::model::Model;
@@ -83,12 +81,4 @@ impl Evidence {
             support.add_to(gram, model, weight);
         }
     }
-}
-
-fn columns(points: impl Iterator<Item = Vector3<f64>>) -> [Vec<f64>; 3] {
-    let mut columns = [Vec::new(), Vec::new(), Vec::new()];
-    for point in points {
-        columns.iter_mut().zip(&point).for_each(|(column, x)| column.push(*x));
-    }
-    columns
 }
