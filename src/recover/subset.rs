@@ -56,7 +56,9 @@ impl Subset {
 
 impl FromIterator<Vector3<f64>> for Subset {
     fn from_iter<I: IntoIterator<Item = Vector3<f64>>>(points: I) -> Self {
-        let mut columns = [Vec::new(), Vec::new(), Vec::new()];
+        let points = points.into_iter();
+        let (least, _) = points.size_hint();
+        let mut columns = [0, 1, 2].map(|_| Vec::with_capacity(least));
         for point in points {
             columns.iter_mut().zip(&point).for_each(|(column, x)| column.push(*x));
         }

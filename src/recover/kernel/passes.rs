@@ -66,14 +66,12 @@ impl Kernel for DistancesOf<'_> {
     fn run<const FMA: bool, P: Products>(self) {
         let Self { view, points: [xs, ys, zs], distances } = self;
         let mut scratch = Scratch::<f64>::new();
-        let mut rows = Rows::new();
         for (index, distances) in distances.chunks_mut(BLOCK).enumerate() {
             let (start, end) = (index * BLOCK, index * BLOCK + distances.len());
             let block = [&xs[start..end], &ys[start..end], &zs[start..end]];
-            write_rows::<f64, FMA, false>(view, block, &mut scratch, &mut rows);
-            let squares_and_signs = rows.geometric_squares.iter().zip(&rows.columns[0]);
-            for (distance, (square, sign)) in distances.iter_mut().zip(squares_and_signs) {
-                *distance = square.sqrt().copysign(*sign);
+            write_powers::<f64, FMA>(view, block, &mut scratch);
+            for (i, distance) in distances.iter_mut().enumerate() {
+                *distance = Point::at(view, &scratch, i).geometric_distance();
             }
         }
     }

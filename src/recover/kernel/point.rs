@@ -118,6 +118,12 @@ impl<L: Lane> Point<L> {
         self.q[0] * self.q[0] + self.q[1] * self.q[1] + self.q[2] * self.q[2]
     }
 
+    /// The signed first-order geometric distance.
+    #[inline(always)]
+    pub(super) fn geometric_distance(&self) -> L {
+        self.distance / self.square_stretch().sqrt()
+    }
+
     /// The unit normal of the gauge's level through the point, in the model's frame.
     #[inline(always)]
     pub(super) fn normal(&self) -> [L; 3] {
