@@ -13,7 +13,7 @@ use crate::cloud::PointColumns;
 use crate::model::Model;
 use crate::recover::descent::PointSet;
 use crate::recover::geometric::normal_log_gradient;
-use crate::recover::kernel::{self, Gram, ModelView};
+use crate::recover::kernel::{self, Gram, ModelView, Residual};
 use crate::recover::normalization::Normalization;
 use crate::recover::radial::PARAMETERS;
 use crate::recover::subset::Subset;
@@ -27,6 +27,10 @@ const MOST_DEVIATIONS: f64 = 2.0;
 
 /// Share of the points turned away from any direction, from which on they are not of one side.
 const MOST_AWAY: f64 = 0.2;
+
+/// Length of the mean normal below which they face all directions: over a
+/// hemisphere it is 0.5.
+const CANCELLED: f64 = 0.1;
 
 /// Steps in the search for a direction, and the first one.
 const STEPS: usize = 40;
@@ -121,21 +125,21 @@ fn sample(
 
 /// The direction from which points around a model are turned away the least, if most of them face it.
 pub(super) fn direction_faced_around(model: &Model, points: &PointSet) -> Option<Vector3<f64>> {
-    let normal = |x: Vector3<f64>| {
-        let gradient = model.shape.gauge_gradient(&model.pose.model_from_world(&x));
-        model.pose.rotation() * gradient.normalize()
-    };
+    let few = Subset::stratified(points.points, POINTS, 0);
+    let view = ModelView::new(points.normalization, model, Residual::Geometric);
     let normals: Vec<Vector3<f64>> =
-        sample(points.points, points.normalization).map(normal).collect();
+        kernel::normals(&view, few.columns()).into_iter().map(Vector3::from).collect();
     let to_sensor = direction_faced(&normals)?;
     let away = normals.iter().filter(|normal| normal.dot(&to_sensor) < 0.0).count();
-    ((away as f64) < MOST_AWAY * normals.len() as f64).then_some(to_sensor)
+    let is_faced = (away as f64) < MOST_AWAY * normals.len() as f64;
+    is_faced.then(|| model.pose.rotation() * to_sensor)
 }
 
 /// The direction from which normals are turned away the least, by the sum of their cosines: steps
-/// along the sum of those that are.
+/// along the sum of those that are. None if they cancel.
 fn direction_faced(normals: &[Vector3<f64>]) -> Option<Vector3<f64>> {
-    let mut direction = normals.iter().sum::<Vector3<f64>>().try_normalize(0.0)?;
+    let least_sum = CANCELLED * normals.len() as f64;
+    let mut direction = normals.iter().sum::<Vector3<f64>>().try_normalize(least_sum)?;
     let mut best = (f64::INFINITY, direction);
     for step in 1..=STEPS {
         let is_away = |normal: &&Vector3<f64>| normal.dot(&direction) < 0.0;
