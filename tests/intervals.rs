@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{Scene, one_sided_view, point_cloud};
+use common::{Scene, one_sided_view, one_sided_view_from, point_cloud, with_range_noise};
 use superquadric::model::Model;
 use superquadric::recover::{Covariance, Fit, FitOptions, fit};
 
@@ -58,4 +58,12 @@ fn regions_of_size_and_centre_cover_the_truth_for_whole_clouds() {
 #[test]
 fn regions_of_size_and_centre_cover_the_truth_for_single_views() {
     assert_covered("one side", |scene, truth| one_sided_view(scene, truth, 2_000, 0.01));
+}
+
+#[test]
+fn regions_of_size_and_centre_cover_the_truth_for_views_with_noise_along_the_rays() {
+    assert_covered("range noise", |scene, truth| {
+        let (points, camera_world) = one_sided_view_from(scene, truth, 2_000, 0.003);
+        with_range_noise(scene, &points, camera_world, 0.01 * truth.shape.mean_semi_axis())
+    });
 }

@@ -10,6 +10,7 @@ use super::evidence::Evidence;
 use super::kernel::{Gram, ModelView, Residual, geometric_distances, gram};
 use super::normalization::Normalization;
 use super::options::Precision;
+use super::ray_noise::RayNoise;
 use super::result::Termination;
 use crate::cloud::PointColumns;
 use crate::model::Model;
@@ -30,6 +31,8 @@ pub(crate) struct PointSet<'a> {
     pub constraints: &'a NormalizedConstraints,
     /// Whether passes over the points are shared among threads.
     pub parallel: bool,
+    /// Noise that is not alike in all directions.
+    pub ray_noise: Option<&'a RayNoise>,
     /// What is minimised.
     pub residual: Residual,
     /// The numbers in which rows are evaluated.
@@ -55,6 +58,10 @@ impl PointSet<'_> {
         }
         let view =
             ModelView::new(self.normalization, model, self.residual).with_precision(self.precision);
+        let view = match self.ray_noise {
+            Some(noise) => view.with_spread(noise.spread(model)),
+            None => view,
+        };
         let mut gram = gram(&view, self.points, self.root_weights, self.parallel);
         self.evidence.add_to(&mut gram, model, self.weight());
         Some(gram)
@@ -133,6 +140,18 @@ pub(crate) struct Descent {
     pub passes: usize,
     /// Why the run ended.
     pub termination: Termination,
+}
+
+impl Descent {
+    /// The same with the mean squares of the distances themselves, which rows of points of such weight
+    /// hold.
+    pub fn with_distances_of(self, rows: &Gram, weight: f64) -> Self {
+        Self {
+            radial_mean_square: rows.radial_squares / weight,
+            geometric_mean_square: rows.geometric_squares / weight,
+            ..self
+        }
+    }
 }
 
 /// Runs that a parameter resting at its bound may cause, by being released.
@@ -232,6 +251,7 @@ pub(crate) mod tests {
             points,
             normalization: &IDENTITY,
             root_weights: None,
+            ray_noise: None,
             evidence: &NO_EVIDENCE,
             constraints: &NormalizedConstraints::NONE,
             parallel: false,

@@ -74,6 +74,7 @@ fn fit_in_pool(
         points: cloud.columns(),
         normalization: &moments.normalization,
         root_weights: None,
+        ray_noise: None,
         evidence: &Evidence::NONE,
         constraints: &options.constraints.normalized(&moments.normalization),
         parallel,
@@ -88,11 +89,13 @@ fn fit_in_pool(
     let all = PointSet { evidence: evidence.as_ref().unwrap_or(&Evidence::NONE), ..all };
     let found = match &survey {
         None => Found::plain(&all, &moments, options.seed),
-        Some(survey) => Found::among_strays(&all, &moments, survey, options.seed),
+        Some(survey) => Found::among_strays(&all, &moments, survey, options.seed)
+            .and_then(|found| found.along_rays(&all, options.seed)),
     };
-    let Found { best, surface, passes, starts } = found.ok_or(FitError::Unbounded)?;
+    let Found { best, surface, ray_noise, passes, starts } = found.ok_or(FitError::Unbounded)?;
 
     let model = all.constraints.final_form(&best.model);
+    let all = PointSet { ray_noise: ray_noise.as_ref(), ..all };
     let covariance = uncertainty_of(&all, &best, &model, &surface, &moments, options.seed)
         .ok_or(FitError::Interrupted)?;
     let clutter = survey.as_ref().and_then(|survey| survey.clutter.as_ref());

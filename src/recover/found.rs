@@ -1,10 +1,12 @@
 //! From a survey to the best model and the points that are of its surface.
 
 use super::alternation::MixtureFit;
-use super::descent::{Descent, Effort, PARALLEL_POINTS, PointSet};
+use super::descent::{Descent, Effort, PARALLEL_POINTS, PointSet, descend};
+use super::evidence::Evidence;
 use super::kernel::Residual;
 use super::normalization::Moments;
 use super::options::Precision;
+use super::ray_noise::RayNoise;
 use super::search::{BRIEF, Search};
 use super::strays::{Recovery, fit_among_clutter, set_outliers_apart};
 use super::subset::Subset;
@@ -34,10 +36,18 @@ const MEDIUM: Effort = Effort { patience: 5, ..Effort::MEDIUM };
 /// To the end, from a minimum that is known to little less.
 const FINISH_NEAR: Effort = Effort { starts_near: true, ..Effort::FINISH };
 
+/// From there to where noise along a sensor's rays leads.
+const ALONG_RAYS: Effort = Effort { gain: 0.02, ..Effort::FINISH };
+
+/// Points of the surface that tell what the noise is.
+const NOISE_POINTS: usize = 1_000;
+
 /// Where the descents have led.
 pub(crate) struct Found {
     pub best: Descent,
     pub surface: Surface,
+    /// Noise that is not alike in all directions.
+    pub ray_noise: Option<RayNoise>,
     /// Passes over point sets of any size, and models started from.
     pub passes: usize,
     pub starts: usize,
@@ -50,7 +60,7 @@ impl Found {
         let (passes, starts) = (search.passes, search.starts);
         let best = search.into_best()?;
         let surface = Surface::of_all(all, &best);
-        Some(Self { best, surface, passes, starts })
+        Some(Self { best, surface, ray_noise: None, passes, starts })
     }
 
     /// The model that fits the points of the surface, which others may lie among.
@@ -69,15 +79,44 @@ impl Found {
         let Some(recovery) = set_outliers_apart(all, survey, &plain.best, seed) else {
             return Some(plain);
         };
-        let Self { best, surface, passes, starts } = recovery.into();
-        let (passes, starts) = (passes + plain.passes, starts + plain.starts);
-        Some(Self { best, surface, passes, starts })
+        let found = Self::from(recovery);
+        let (passes, starts) = (found.passes + plain.passes, found.starts + plain.starts);
+        Some(Self { passes, starts, ..found })
+    }
+
+    /// The model that fits points of noise along a sensor's rays, where the points tell that theirs is
+    /// such. What is only usual of a shape then says nothing more: it is there for what noise hides.
+    pub fn along_rays(self, all: &PointSet, seed: u64) -> Option<Self> {
+        let some = |count: usize| self.surface.sample(all.points, count, seed);
+        let few = some(NOISE_POINTS);
+        let few = PointSet { points: few.columns(), ..*all };
+        let Some(ray_noise) = RayNoise::of(&few, &self.best.model) else { return Some(self) };
+        let evidence = all.evidence.seen();
+        let all = PointSet { evidence: &evidence, ray_noise: Some(&ray_noise), ..*all };
+        let (mut model, mut passes) = (self.best.model, self.passes);
+        for count in stages(all.len()).into_iter().filter(|count| *count < all.len()) {
+            let some = some(count);
+            let some = PointSet { points: some.columns(), ..all };
+            let descent = descend(&some, &model, &MEDIUM)?;
+            (model, passes) = (descent.model, passes + descent.passes);
+        }
+        let roots = self.surface.root_weights();
+        let all = PointSet { root_weights: roots.as_deref(), ..all };
+        let descent = descend(&all, &model, &ALONG_RAYS)?;
+        let distances = PointSet { ray_noise: None, evidence: &Evidence::NONE, ..all };
+        let rows = distances.gram(&descent.model)?;
+        let best = descent.with_distances_of(&rows, distances.weight());
+        let passes = passes + best.passes + 1;
+        let deviation = best.geometric_mean_square.sqrt();
+        let surface = Surface { deviation, ..self.surface };
+        Some(Self { best, surface, ray_noise: Some(ray_noise), passes, ..self })
     }
 }
 
 impl From<Recovery> for Found {
     fn from(Recovery { fit, passes, starts }: Recovery) -> Self {
-        Self { surface: Surface::of_mixture(&fit), best: fit.descent, passes, starts }
+        let surface = Surface::of_mixture(&fit);
+        Self { surface, best: fit.descent, ray_noise: None, passes, starts }
     }
 }
 

@@ -27,6 +27,7 @@ mod one_side;
 mod options;
 mod plane;
 mod radial;
+mod ray_noise;
 mod result;
 mod search;
 mod sight;

@@ -85,6 +85,7 @@ impl<'a> Normalized<'a> {
             points: self.cloud.columns(),
             normalization: &self.moments.normalization,
             root_weights: None,
+            ray_noise: None,
             evidence: &Evidence::NONE,
             constraints: &Constraints::NONE.normalized(&self.moments.normalization),
             parallel: false,

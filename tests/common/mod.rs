@@ -109,6 +109,21 @@ pub fn one_sided_view_from(
     (seen.iter().map(noisy).collect(), camera_world.into())
 }
 
+/// Points with noise along the rays of a camera alone, of that standard deviation.
+pub fn with_range_noise(
+    scene: &mut Scene,
+    points: &[[f64; 3]],
+    camera_world: [f64; 3],
+    deviation: f64,
+) -> Vec<[f64; 3]> {
+    let moved = |point: &[f64; 3]| {
+        let x_world = Vector3::from(*point);
+        let ray = (x_world - Vector3::from(camera_world)).normalize();
+        (x_world + deviation * scene.normal() * ray).into()
+    };
+    points.iter().map(moved).collect()
+}
+
 /// The points among as many strays, uniform in a box of twice the shape's sides, that they are
 /// that share of all.
 pub fn with_strays(

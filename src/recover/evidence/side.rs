@@ -59,6 +59,22 @@ impl Side {
         seen.iter().zip(are_turned_away(&seen, model)).map(odds).collect()
     }
 
+    /// The same in the frame of a model, as homogeneous coordinates: a place and 1, or a direction
+    /// and 0.
+    pub fn in_frame_of(&self, model: &Model) -> ([f64; 3], f64) {
+        match self {
+            Self::Viewpoint(place) => (model.pose.model_from_world(place).into(), 1.0),
+            Self::Direction(direction) => {
+                ((model.pose.rotation().inverse() * direction).into(), 0.0)
+            }
+        }
+    }
+
+    /// The unit vector from a point towards the sensor.
+    pub fn direction_from(&self, point: Vector3<f64>) -> Vector3<f64> {
+        self.seen(point).to_sensor
+    }
+
     fn seen(&self, point: Vector3<f64>) -> Seen {
         let to_sensor = match self {
             Self::Direction(direction) => *direction,

@@ -5,15 +5,17 @@
 //! reference: the tests hold every path against it.
 
 mod block;
+mod feet;
 mod gram;
 mod passes;
 mod point;
 mod view;
 
+pub(crate) use feet::Spread;
 pub(crate) use gram::{COLUMNS, Gram};
-
 pub(crate) use view::{ModelView, Residual};
 
+use feet::{Feet, FeetOf};
 use passes::{DistancesOf, GramOf, NormalsOf};
 use rayon::prelude::*;
 
@@ -25,7 +27,7 @@ use crate::machine::vectorized;
 const CHUNK: usize = 64 * gram::BLOCK;
 
 /// The Gram matrix `[r J]' [r J]` of the problem over all points, each row multiplied by its factor
-/// where there are factors.
+/// where there are factors. A view with a spread has the rows of the points' feet.
 ///
 /// Memory does not depend on the number of points but for 1 kB a chunk; nor do the bytes of
 /// the result on `parallel`.
@@ -40,7 +42,10 @@ pub(crate) fn gram(
         let range = index * CHUNK..count.min((index + 1) * CHUNK);
         let factors = factors.map(|factors| &factors[range.clone()]);
         let points = points.map(|column| &column[range.clone()]);
-        vectorized::run(GramOf { view, points, factors })
+        match &view.spread {
+            None => vectorized::run(GramOf { view, points, factors }),
+            Some(spread) => gram_of_feet(view, spread, points, factors),
+        }
     };
     let chunks = count.div_ceil(CHUNK);
     if chunks == 1 {
@@ -51,6 +56,20 @@ pub(crate) fn gram(
     }
     let partial: Vec<Gram> = (0..chunks).into_par_iter().map(chunk).collect();
     sum(partial)
+}
+
+fn gram_of_feet(
+    view: &ModelView,
+    spread: &Spread,
+    points: PointColumns,
+    factors: Option<&[f64]>,
+) -> Gram {
+    let Feet { points, factors: mut own } = vectorized::run(FeetOf { view, spread, points });
+    if let Some(factors) = factors {
+        own.iter_mut().zip(factors).for_each(|(own, factor)| *own *= factor);
+    }
+    let points = points.each_ref().map(|column| &column[..]);
+    vectorized::run(GramOf { view: &view.in_model_frame(), points, factors: Some(&own) })
 }
 
 /// The signed first-order geometric distance of each point, in normalised units.

@@ -1,5 +1,7 @@
 //! Every path against the scalar row.
 
+mod feet;
+
 use nalgebra::Vector3;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;

@@ -1,5 +1,6 @@
 //! Constants of one pass: how the points reach the model's frame, and the model's parameters.
 
+use super::feet::Spread;
 use crate::model::Model;
 use crate::pose::Pose;
 use crate::recover::normalization::Normalization;
@@ -29,6 +30,8 @@ pub(crate) struct ModelView {
     pub(super) exponents: [f64; 2],
     pub(super) is_geometric: bool,
     pub(super) precision: Precision,
+    /// How noise spreads the points, if not alike in all directions.
+    pub(super) spread: Option<Spread>,
 }
 
 impl ModelView {
@@ -45,6 +48,7 @@ impl ModelView {
             exponents: model.shape.exponents(),
             is_geometric: residual == Residual::Geometric,
             precision: Precision::Double,
+            spread: None,
         }
     }
 
@@ -57,6 +61,22 @@ impl ModelView {
     /// The same, rows being evaluated in the given precision.
     pub fn with_precision(self, precision: Precision) -> Self {
         Self { precision, ..self }
+    }
+
+    /// The same, the points being spread by noise so.
+    pub fn with_spread(self, spread: Spread) -> Self {
+        Self { spread: Some(spread), ..self }
+    }
+
+    /// The same of points by themselves that are given in the model's frame (normalised unit).
+    pub(super) fn in_model_frame(&self) -> Self {
+        Self {
+            normalization: Normalization::identity(),
+            translation: [0.0; 3],
+            axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+            spread: None,
+            ..*self
+        }
     }
 
     /// A point of the cloud, in the model's frame (normalised unit).

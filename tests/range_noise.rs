@@ -1,0 +1,52 @@
+//! Noise along the rays of a range camera, whose errors across them are none: it must not draw shapes
+//! to one side.
+
+mod common;
+
+use common::{Scene, iou, median, one_sided_view_from, point_cloud, with_range_noise};
+use superquadric::model::Model;
+use superquadric::recover::{Fit, FitOptions, Sight, fit};
+
+const VIEWS: u64 = 100;
+const POINTS: usize = 2_000;
+
+/// Standard deviation of the noise, in mean semi-axes.
+const NOISE: f64 = 0.02;
+
+fn fits(options: impl Fn([f64; 3]) -> FitOptions) -> Vec<(Model, Fit)> {
+    let view = |seed| {
+        let mut scene = Scene::new(80_000 + seed);
+        let truth = scene.random_model();
+        let (points, camera_world) = one_sided_view_from(&mut scene, &truth, POINTS, 0.0);
+        let deviation = NOISE * truth.shape.mean_semi_axis();
+        let points = with_range_noise(&mut scene, &points, camera_world, deviation);
+        (truth, fit(&point_cloud(&points), &options(camera_world)).unwrap())
+    };
+    (0..VIEWS).map(view).collect()
+}
+
+/// Shares that are right, and the median of the volumes' logarithms of ratios to the true ones.
+fn summary(fits: &[(Model, Fit)]) -> (f64, f64) {
+    let right = fits.iter().filter(|(truth, fit)| iou(truth, &fit.model) >= 0.9).count();
+    let ratio =
+        |(truth, fit): &(Model, Fit)| (fit.model.shape.volume() / truth.shape.volume()).ln();
+    let ratios: Vec<f64> = fits.iter().map(ratio).collect();
+    println!("{right} right, volumes {}", median(&ratios));
+    (right as f64 / fits.len() as f64, median(&ratios))
+}
+
+#[test]
+fn shapes_have_their_size_from_the_points_alone() {
+    let (right, volume) = summary(&fits(|_| FitOptions::default()));
+    assert!(right >= 0.95 && volume.abs() < 0.01, "{right} {volume}");
+}
+
+#[test]
+fn shapes_have_their_size_where_the_viewpoint_is_told() {
+    let told = |camera_world| FitOptions {
+        sight: Some(Sight::from_viewpoint(camera_world)),
+        ..FitOptions::default()
+    };
+    let (right, volume) = summary(&fits(told));
+    assert!(right >= 0.95 && volume.abs() < 0.01, "{right} {volume}");
+}
