@@ -4,9 +4,11 @@ Needs `pip install '.[synth,batch]' scipy` and, on Debian, what open3d loads (da
 """
 
 import argparse
+import json
 import os
 import sys
 import tempfile
+import time
 from dataclasses import replace
 from pathlib import Path
 
@@ -23,8 +25,10 @@ from superquadric.synth import generate, read_suite
 
 SUITES = DOCS.parent / "data_synth"
 NAMES = ["full-noise", "single-view", "boxes-and-cans", "thin", "table-top", "outliers"]
+DISTANCES = ["geometric", "radial"]
+TOLD = "viewpoint told"
 SINGLE_START = "single start"
-METHODS = ["geometric", "radial", SINGLE_START]
+METHODS = ["geometric", TOLD, "radial", SINGLE_START]
 QUARTILES = [0, 0.25, 0.5, 0.75, 1]
 
 PAGE = """# How well shapes are recovered
@@ -38,6 +42,7 @@ PAGE = """# How well shapes are recovered
 - Wrongly trusted: number of scenes whose fit was trusted although its IoU is below 0.9.
 - `geometric` (the default) and `radial` are `superquadric.fit` with that distance, one thread a
   fit, as many scenes at a time as there are cores.
+- `viewpoint told` is the default, told where the camera stood, on views.
 - `single start` is the plain fit to compare with, [single_start.py](single_start.py): SciPy's
   `least_squares` on the radial distance from the principal axes, numeric derivatives, at most 500
   points a cloud. It does not judge itself.
@@ -75,38 +80,70 @@ def _results(name, options, folder):
     generate(suite, folder / "suite", jobs=options.jobs)
     evaluations = {
         distance: evaluate(folder / "suite", folder / distance, distance=distance)
-        for distance in METHODS[:2]
+        for distance in DISTANCES
     }
     levels = {method: found.summary["levels"] for method, found in evaluations.items()}
-    return levels | {SINGLE_START: _single_start(evaluations["geometric"])}
+    return levels | {
+        TOLD: _levels(evaluations["geometric"], _fitted_from_viewpoint),
+        SINGLE_START: _levels(evaluations["geometric"], _fitted_from_single_start),
+    }
 
 
-def _single_start(evaluation):
-    """The levels of the same scenes by the plain fit."""
-    return [
-        _level(level["level"], _single_start_scores(evaluation, level["level"]))
-        for level in evaluation.summary["levels"]
-    ]
+def _levels(evaluation, fitted):
+    """The levels of the same scenes by another fit: of those that it makes something of."""
+    names = [level["level"] for level in evaluation.summary["levels"]]
+    levels = [(name, _scores(evaluation, name, fitted)) for name in names]
+    return [_level(name, *scores) for name, scores in levels if scores]
 
 
-def _single_start_scores(evaluation, level):
-    """IoU, surface distance and seconds of each scene of a level: an array of shape (n, 3)."""
+def _scores(evaluation, level, fitted):
+    """IoU, surface distance and seconds of each scene of a level, of shape (n, 3), and whether each
+    fit is trusted, if it judges itself."""
+    scenes = [row["scene"] for row in evaluation.rows if row["level"] == level]
+    fits = [fitted(evaluation, scene) for scene in scenes]
+    if None in fits:
+        return None
     scores = []
-    for scene in [row["scene"] for row in evaluation.rows if row["level"] == level]:
-        fit = single_start.fit(evaluation.points(scene))
-        score = superquadric.score(evaluation.truth(scene), fit.model, samples=SAMPLES)
-        scores.append([score.volume_iou, score.surface_distance, fit.seconds])
-    return np.array(scores)
+    for scene, (model, seconds, _) in zip(scenes, fits, strict=True):
+        score = superquadric.score(evaluation.truth(scene), model, samples=SAMPLES)
+        scores.append([score.volume_iou, score.surface_distance, seconds])
+    trusted = [trusted for _, _, trusted in fits]
+    return np.array(scores), None if None in trusted else np.array(trusted)
 
 
-def _level(name, scores):
+def _fitted_from_single_start(evaluation, scene):
+    fit = single_start.fit(evaluation.points(scene))
+    return fit.model, fit.seconds, None
+
+
+def _fitted_from_viewpoint(evaluation, scene):
+    """The default fit, told where the camera stood; None where there was none."""
+    truth = json.loads((evaluation.suite_dir / "scenes" / scene / "truth.json").read_text())
+    if "camera_from_world" not in truth:
+        return None
+    points = evaluation.points(scene)
+    begin = time.perf_counter()
+    fit = superquadric.fit(points, viewpoint=_viewpoint(truth), threads=1)
+    return fit.model, time.perf_counter() - begin, fit.trusted
+
+
+def _viewpoint(truth):
+    """Where the camera stood, in the frame of the points."""
+    if truth["frame"] == "camera":
+        return np.zeros(3)
+    camera_from_world = np.array(truth["camera_from_world"])
+    return np.linalg.inv(camera_from_world)[:3, 3]
+
+
+def _level(name, scores, trusted):
     iou, surface_distance, seconds = np.quantile(scores, QUARTILES, axis=0).T.tolist()
+    is_right = scores[:, 0] >= SUCCESS_IOU
     return {
         "level": name,
         "scenes": len(scores),
-        "success": float(np.mean(scores[:, 0] >= SUCCESS_IOU)),
-        "trusted": None,
-        "wrongly_trusted": None,
+        "success": float(np.mean(is_right)),
+        "trusted": None if trusted is None else float(np.mean(trusted)),
+        "wrongly_trusted": None if trusted is None else int(np.sum(trusted & ~is_right)),
         "iou": iou,
         "surface_distance": surface_distance,
         "seconds": seconds,
@@ -123,11 +160,17 @@ def _page(results, scenes):
 
 
 def _section(name, by_method):
-    rows = {method: cells({"levels": levels}) for method, levels in by_method.items()}
+    rows = {
+        (row[0], method): row[1:]
+        for method, levels in by_method.items()
+        for row in cells({"levels": levels})
+    }
+    names = [level["level"] for level in by_method["geometric"]]
     lines = [
-        [level[0], method, *level[1:]]
-        for same_level in zip(*rows.values(), strict=True)
-        for method, level in zip(rows, same_level, strict=True)
+        [name, method, *rows[name, method]]
+        for name in names
+        for method in METHODS
+        if (name, method) in rows
     ]
     return f"\n## {name}\n\n" + markdown([HEADER[0], "method", *HEADER[1:]], lines)
 
@@ -155,14 +198,17 @@ def _poor(suite, levels):
 def _draw(results):
     figure = figure_of(12.0, 6.5)
     for axes, (name, by_method) in zip(figure.subplots(2, 3).flat, results.items(), strict=True):
-        for offset, method in zip([-0.27, 0.0, 0.27], METHODS, strict=True):
+        names = [level["level"] for level in by_method["geometric"]]
+        for index, method in enumerate(METHODS):
+            offset = 0.2 * index - 0.3
+            places = [names.index(level["level"]) + offset for level in by_method[method]]
             shares = [100 * level["success"] for level in by_method[method]]
-            axes.bar(np.arange(len(shares)) + offset, shares, 0.25, label=method)
-        names = [level["level"].replace("-", "\n") for level in by_method["radial"]]
-        axes.set_xticks(range(len(names)), names, fontsize="small")
+            axes.bar(places, shares, 0.19, label=method, color=f"C{index}")
+        labels = [name.replace("-", "\n") for name in names]
+        axes.set_xticks(range(len(names)), labels, fontsize="small")
         axes.set(title=name, ylim=(0, 100), ylabel="scenes with IoU >= 0.9, %")
     handles, labels = figure.axes[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside upper center", ncols=3)
+    figure.legend(handles, labels, loc="outside upper center", ncols=4)
     saved(figure, DOCS / "pictures" / "accuracy.png")
 
 

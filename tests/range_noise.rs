@@ -25,20 +25,28 @@ fn fits(options: impl Fn([f64; 3]) -> FitOptions) -> Vec<(Model, Fit)> {
     (0..VIEWS).map(view).collect()
 }
 
-/// Shares that are right, and the median of the volumes' logarithms of ratios to the true ones.
-fn summary(fits: &[(Model, Fit)]) -> (f64, f64) {
+/// Share of the shapes that are right, and medians of the logarithms of their volumes and of the noise
+/// along the rays, each as a ratio to the true one.
+fn summary(fits: &[(Model, Fit)]) -> [f64; 3] {
     let right = fits.iter().filter(|(truth, fit)| iou(truth, &fit.model) >= 0.9).count();
     let ratio =
         |(truth, fit): &(Model, Fit)| (fit.model.shape.volume() / truth.shape.volume()).ln();
     let ratios: Vec<f64> = fits.iter().map(ratio).collect();
-    println!("{right} right, volumes {}", median(&ratios));
-    (right as f64 / fits.len() as f64, median(&ratios))
+    let along = |(truth, fit): &(Model, Fit)| {
+        let noise = fit.range_noise.expect("noise that is told from that alike in all directions");
+        (noise.along / (NOISE * truth.shape.mean_semi_axis())).ln()
+    };
+    let noise: Vec<f64> = fits.iter().map(along).collect();
+    let summary = [right as f64 / fits.len() as f64, median(&ratios), median(&noise)];
+    println!("right, volume, noise: {summary:?}");
+    summary
 }
 
 #[test]
 fn shapes_have_their_size_from_the_points_alone() {
-    let (right, volume) = summary(&fits(|_| FitOptions::default()));
+    let [right, volume, noise] = summary(&fits(|_| FitOptions::default()));
     assert!(right >= 0.95 && volume.abs() < 0.01, "{right} {volume}");
+    assert!(noise.abs() < 0.05, "{noise}");
 }
 
 #[test]
@@ -47,6 +55,7 @@ fn shapes_have_their_size_where_the_viewpoint_is_told() {
         sight: Some(Sight::from_viewpoint(camera_world)),
         ..FitOptions::default()
     };
-    let (right, volume) = summary(&fits(told));
+    let [right, volume, noise] = summary(&fits(told));
     assert!(right >= 0.95 && volume.abs() < 0.01, "{right} {volume}");
+    assert!(noise.abs() < 0.05, "{noise}");
 }

@@ -201,6 +201,13 @@ impl PyFit {
         self.fit.noise
     }
 
+    /// Standard deviations of the noise along a sensor's rays and across them, in the points' unit;
+    /// None unless the points tell that it is not alike in all directions.
+    #[getter]
+    fn range_noise(&self) -> Option<(f64, f64)> {
+        self.fit.range_noise.map(|noise| (noise.along, noise.across))
+    }
+
     /// Estimated share of strays, points that are not of the surface, among all.
     #[getter]
     fn stray_share(&self) -> f64 {

@@ -111,6 +111,7 @@ fn fit_in_pool(
         rms_geometric: best.geometric_mean_square.sqrt() * radius,
         covariance,
         noise: surface.deviation * radius,
+        range_noise: ray_noise.map(|noise| noise.deviations(surface.deviation * radius)),
         stray_share: surface.stray_share,
         is_inlier: surface.is_inlier(),
         points: cloud.len(),

@@ -49,5 +49,5 @@ pub use geometric::geometric_row;
 pub use options::{Distance, FitOptions, Precision};
 pub use plane::Plane;
 pub use radial::{PARAMETERS, Row, radial_row};
-pub use result::{Doubt, Fit, Termination};
+pub use result::{Doubt, Fit, RangeNoise, Termination};
 pub use sight::{Sight, SightLine};

@@ -9,6 +9,7 @@ use nalgebra::{Matrix2, Vector2, Vector3};
 use super::descent::PointSet;
 use super::evidence::Side;
 use super::kernel::{ModelView, Residual, Spread, normals};
+use super::result::RangeNoise;
 use super::subset::Subset;
 use crate::model::Model;
 
@@ -50,6 +51,12 @@ impl RayNoise {
         let [along, across] = variances(&samples)?;
         let across = across.max(LEAST_ACROSS * LEAST_ACROSS * along);
         Some(Self { side, along, across })
+    }
+
+    /// Its standard deviations where that of the points' distances is such.
+    pub fn deviations(&self, of_distances: f64) -> RangeNoise {
+        let [along, across] = [self.along, self.across].map(|v| v.sqrt() * of_distances);
+        RangeNoise { along, across }
     }
 
     /// How it spreads the points, in the frame of a model.

@@ -29,6 +29,9 @@ pub struct Fit {
     pub covariance: Covariance,
     /// Standard deviation of the surface points' geometric distances, in the cloud's unit.
     pub noise: f64,
+    /// The sensor's noise, where the points tell that it is along its rays; the model then minimises
+    /// the distances that it makes likely.
+    pub range_noise: Option<RangeNoise>,
     /// Estimated share of strays, points that are not of the surface, among all.
     pub stray_share: f64,
     /// Of each point fitted, whether it is more likely of the surface than a stray.
@@ -60,6 +63,15 @@ impl Fit {
     pub fn relative_rms(&self) -> f64 {
         self.rms_radial / self.model.shape.mean_semi_axis()
     }
+}
+
+/// Standard deviations of the noise of points that a sensor saw, in the cloud's unit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RangeNoise {
+    /// Along the sensor's rays.
+    pub along: f64,
+    /// Across them: at least a fifth of that along.
+    pub across: f64,
 }
 
 /// How the last descent ended: the optimiser's own reason.

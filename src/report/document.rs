@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::model_document::ModelDocument;
-use crate::recover::{Covariance, Doubt, Fit};
+use crate::recover::{Covariance, Doubt, Fit, RangeNoise};
 
 /// Name and version of the document of a fit.
 pub const FIT_SCHEMA: &str = "superquadric.fit/1";
@@ -26,6 +26,7 @@ struct EvidenceDocument {
     rms_radial: f64,
     rms_geometric: f64,
     noise: f64,
+    range_noise: Option<RangeNoiseDocument>,
     stray_share: f64,
     inliers: usize,
     uncertainty: UncertaintyDocument,
@@ -35,6 +36,18 @@ struct EvidenceDocument {
     starts: usize,
     seed: u64,
     seconds: f64,
+}
+
+#[derive(Debug, Clone, Serialize)]
+struct RangeNoiseDocument {
+    along: f64,
+    across: f64,
+}
+
+impl From<RangeNoise> for RangeNoiseDocument {
+    fn from(RangeNoise { along, across }: RangeNoise) -> Self {
+        Self { along, across }
+    }
 }
 
 #[derive(Debug, Clone, Serialize)]
@@ -101,6 +114,7 @@ impl FitDocument {
                 rms_radial: fit.rms_radial,
                 rms_geometric: fit.rms_geometric,
                 noise: fit.noise,
+                range_noise: fit.range_noise.map(RangeNoiseDocument::from),
                 stray_share: fit.stray_share,
                 inliers: fit.inliers(),
                 uncertainty: UncertaintyDocument::from(&fit.covariance),

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::primitive_document::masses;
 use super::solid_info::{SceneInfoDocument, SolidInfoDocument};
 use crate::model::Model;
-use crate::recover::Fit;
+use crate::recover::{Fit, RangeNoise};
 use crate::shape::{Shape, Solid};
 use crate::solid::Primitive;
 
@@ -39,6 +39,10 @@ pub fn fit_table(fit: &Fit, seconds: f64) -> String {
             number(fit.rms_geometric, DIGITS),
         ),
     );
+    if let Some(RangeNoise { along, across }) = fit.range_noise {
+        let [along, across] = [along, across].map(|deviation| number(deviation, ROUGH));
+        line(&mut table, "noise", &format!("{along} along the sensor's rays, {across} across"));
+    }
     line(
         &mut table,
         "points",

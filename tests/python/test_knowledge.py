@@ -27,6 +27,21 @@ def test_strays_are_told_from_the_surface(can):
     assert fit.noise == pytest.approx(0.0005, rel=0.1)
 
 
+def test_noise_along_the_rays_is_told_from_noise_alike_in_all_directions(can):
+    model, points = can
+    assert superquadric.fit(points).range_noise is None
+    surface = model.sample(4000, seed=1)
+    faces_sensor = np.sum(model.inside_outside_gradient(surface) * surface, axis=1) < 0.0
+    seen = surface[faces_sensor]
+    rays = seen / np.linalg.norm(seen, axis=1, keepdims=True)
+    noise = np.random.default_rng(3).normal(scale=0.001, size=(len(seen), 1))
+    fit = superquadric.fit(seen + noise * rays, viewpoint=[0.0, 0.0, 0.0])
+    along, across = fit.range_noise
+    assert along == pytest.approx(0.001, rel=0.1)
+    assert across < 0.5 * along
+    assert np.allclose(sorted(fit.model.size), sorted(model.size), rtol=0.01)
+
+
 @pytest.mark.parametrize("shape", ["cylinder", "any"])
 def test_a_cylinder_has_one_radius(can, shape):
     model, points = can
