@@ -50,7 +50,9 @@ impl RayNoise {
         }
         let [along, across] = variances(&samples)?;
         let across = across.max(LEAST_ACROSS * LEAST_ACROSS * along);
-        Some(Self { side, along, across })
+        let share = mean(&samples, |sample| sample.square_cosine);
+        let of_distances = share * along + (1.0 - share) * across;
+        Some(Self { side, along: along / of_distances, across: across / of_distances })
     }
 
     /// Its standard deviations where that of the points' distances is such.
@@ -96,7 +98,7 @@ fn is_told(samples: &[Sample]) -> bool {
     sum > TOLD * squares.sqrt()
 }
 
-/// The most likely variances along and across the rays, in the mean of all: Fisher's scoring. None if
+/// The most likely variances along and across the rays, in a unit of its own: Fisher's scoring. None if
 /// all points are seen at one angle.
 fn variances(samples: &[Sample]) -> Option<[f64; 2]> {
     let mean = mean(samples, |sample| sample.square);
@@ -169,7 +171,7 @@ mod tests {
         let samples = samples(&bare(points.columns()), &model(), &noise.side);
         let square_cosine = mean(&samples, |sample| sample.square_cosine);
         let variance = noise.across + (noise.along - noise.across) * square_cosine;
-        assert!((variance - 1.0).abs() < 0.03, "{variance}");
+        assert!((variance - 1.0).abs() < 1e-12, "{variance}");
     }
 
     #[test]

@@ -65,7 +65,8 @@ impl Fit {
     }
 }
 
-/// Standard deviations of the noise of points that a sensor saw, in the cloud's unit.
+/// Standard deviations of the noise of points that a sensor saw, in the cloud's unit. Where no viewpoint
+/// is told, the direction of the rays is rough, and some of what is along them seems to be across.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RangeNoise {
     /// Along the sensor's rays.

@@ -28,8 +28,7 @@ const MOST_DEVIATIONS: f64 = 2.0;
 /// Share of the points turned away from any direction, from which on they are not of one side.
 const MOST_AWAY: f64 = 0.2;
 
-/// Length of the mean normal below which they face all directions: over a
-/// hemisphere it is 0.5.
+/// Length of the mean normal below which they face all directions: over a hemisphere it is 0.5.
 const CANCELLED: f64 = 0.1;
 
 /// Steps in the search for a direction, and the first one.
