@@ -207,7 +207,8 @@ def _draw(results):
         labels = [name.replace("-", "\n") for name in names]
         axes.set_xticks(range(len(names)), labels, fontsize="small")
         axes.set(title=name, ylim=(0, 100), ylabel="scenes with IoU >= 0.9, %")
-    handles, labels = figure.axes[0].get_legend_handles_labels()
+    # Of the first suite, of whole surfaces, no viewpoint can be told.
+    handles, labels = figure.axes[1].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper center", ncols=4)
     saved(figure, DOCS / "pictures" / "accuracy.png")
 
