@@ -31,15 +31,17 @@ def test_noise_along_the_rays_is_told_from_noise_alike_in_all_directions(can):
     model, points = can
     assert superquadric.fit(points).range_noise is None
     surface = model.sample(4000, seed=1)
-    faces_sensor = np.sum(model.inside_outside_gradient(surface) * surface, axis=1) < 0.0
+    viewpoint = np.array([0.6, 0.2, 0.1])
+    rays = surface - viewpoint
+    faces_sensor = np.sum(model.inside_outside_gradient(surface) * rays, axis=1) < 0.0
     seen = surface[faces_sensor]
-    rays = seen / np.linalg.norm(seen, axis=1, keepdims=True)
+    rays = rays[faces_sensor] / np.linalg.norm(rays[faces_sensor], axis=1, keepdims=True)
     noise = np.random.default_rng(3).normal(scale=0.001, size=(len(seen), 1))
-    fit = superquadric.fit(seen + noise * rays, viewpoint=[0.0, 0.0, 0.0])
+    fit = superquadric.fit(seen + noise * rays, viewpoint=viewpoint)
     along, across = fit.range_noise
     assert along == pytest.approx(0.001, rel=0.1)
     assert across < 0.5 * along
-    assert np.allclose(sorted(fit.model.size), sorted(model.size), rtol=0.01)
+    assert np.allclose(sorted(fit.model.size), sorted(model.size), rtol=0.02)
 
 
 @pytest.mark.parametrize("shape", ["cylinder", "any"])
