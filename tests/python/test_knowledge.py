@@ -41,7 +41,7 @@ def test_noise_along_the_rays_is_told_from_noise_alike_in_all_directions(can):
     along, across = fit.range_noise
     assert along == pytest.approx(0.001, rel=0.1)
     assert across < 0.5 * along
-    assert np.allclose(sorted(fit.model.size), sorted(model.size), rtol=0.02)
+    assert np.allclose(sorted(fit.model.size), sorted(model.size), rtol=0.01)
 
 
 @pytest.mark.parametrize("shape", ["cylinder", "any"])
