@@ -1,7 +1,7 @@
 //! Recovery of a shape from points of its surface.
 //!
 //! Read [`fit`] straight down: normalise, search on few points, finish on all, tell strays from
-//! the surface, canonical form, doubts.
+//! the surface, go by noise along a sensor's rays, canonical form, doubts.
 
 mod alternation;
 mod chart;
