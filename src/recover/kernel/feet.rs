@@ -21,12 +21,12 @@ use crate::recover::options::Precision;
 
 /// How the noise of a sensor spreads points, in a model's frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Spread {
+pub(crate) struct Spread<L = f64> {
     /// Where the sensor is, and 1; or a direction towards it, and 0.
-    pub sensor: ([f64; 3], f64),
+    pub sensor: ([L; 3], L),
     /// Variances along the rays and across them, in any unit: that of the rows' is its root.
-    pub along: f64,
-    pub across: f64,
+    pub along: L,
+    pub across: L,
 }
 
 /// Points that take the place of others, in the model's frame, and the factors of their rows.
@@ -60,7 +60,7 @@ impl FeetOf<'_> {
     fn find<L: Lane, const FMA: bool>(self) -> Feet {
         let Self { view, spread, points: [xs, ys, zs] } = self;
         let in_frame = view.in_model_frame();
-        let spread = SpreadOf::<L>::of(spread);
+        let spread = spread.in_lanes::<L>();
         let count = xs.len();
         let mut feet =
             Feet { points: [0, 1, 2].map(|_| vec![0.0; count]), factors: vec![0.0; count] };
@@ -94,25 +94,20 @@ impl FeetOf<'_> {
     }
 }
 
-/// A spread in the numbers of a pass.
-#[derive(Clone, Copy)]
-struct SpreadOf<L> {
-    sensor: ([L; 3], L),
-    along: L,
-    across: L,
-}
-
-impl<L: Lane> SpreadOf<L> {
+impl Spread {
+    /// The same in the numbers of a pass.
     #[inline(always)]
-    fn of(spread: &Spread) -> Self {
-        let ([x, y, z], nearness) = spread.sensor;
-        Self {
+    fn in_lanes<L: Lane>(&self) -> Spread<L> {
+        let ([x, y, z], nearness) = self.sensor;
+        Spread {
             sensor: ([L::of(x), L::of(y), L::of(z)], L::of(nearness)),
-            along: L::of(spread.along),
-            across: L::of(spread.across),
+            along: L::of(self.along),
+            across: L::of(self.across),
         }
     }
+}
 
+impl<L: Lane> Spread<L> {
     /// `S n` at a point x; at the sensor itself there is no ray.
     #[inline(always)]
     fn times(&self, x: [L; 3], n: [L; 3]) -> [L; 3] {
